@@ -69,12 +69,15 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
         std::make_unique<handlers::Doors>(*service->store_->accounts(), http::cookie_name(http.secure()));
     http.gate = &service->doors_->gate;
   }
+  service->link_door_ =
+      std::make_unique<handlers::LinkDoor>(*service->store_->links(), accounts, http.secure());
+  http.links = &service->link_door_->gate;
   service->server_ =
       std::make_unique<http::HttpServer>(*service->store_, *service->jobs_, *service->hub_, http, log);
   http::HttpServer& server = *service->server_;
-  handlers::add_routes(server.router(),
-                       {*service->documents_, *service->store_, *service->jobs_, *service->movies_,
-                        *service->hub_, server.metrics(), server.ready(), service->doors_.get()});
+  handlers::add_routes(server.router(), {*service->documents_, *service->store_, *service->jobs_,
+                                         *service->movies_, *service->hub_, server.metrics(), server.ready(),
+                                         service->doors_.get(), service->link_door_.get()});
   TRY(server.start());
   TRY(service->jobs_->start());
   service->retention_ =

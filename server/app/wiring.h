@@ -44,6 +44,7 @@ class Service {
   std::unique_ptr<jobs::Movies> movies_;
   std::unique_ptr<jobs::Retention> retention_;
   std::unique_ptr<handlers::Doors> doors_;  ///< null: there are no accounts
+  std::unique_ptr<handlers::LinkDoor> link_door_;
   std::unique_ptr<http::HttpServer> server_;
 };
 

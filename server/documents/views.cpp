@@ -57,15 +57,6 @@ json::JsonValue notch_json(const pattern::Notch& notch) {
                                        {"inwards", turned ? fine_point(notch.inwards) : json::JsonValue()}};
 }
 
-json::JsonValue texture_json(const std::optional<project::ProjectTexture>& texture) {
-  if (!texture) return json::JsonValue();
-  return std::vector<json::JsonMember>{
-      {"image", texture->image},
-      {"scale_mm", texture->scale_mm},
-      {"offset", std::vector<json::JsonValue>{texture->offset.x, texture->offset.y}},
-      {"angle", texture->angle}};
-}
-
 json::JsonValue piece_json(const pattern::Panel& panel, const project::ProjectPiece& told,
                            const material::Fabric& fabric) {
   std::vector<json::JsonValue> holes, edges, colour, notches, lines;
@@ -139,6 +130,15 @@ void put(std::string& out, double value) {
 }
 
 }  // namespace
+
+json::JsonValue texture_json(const std::optional<project::ProjectTexture>& texture) {
+  if (!texture) return json::JsonValue();
+  return std::vector<json::JsonMember>{
+      {"image", texture->image},
+      {"scale_mm", texture->scale_mm},
+      {"offset", std::vector<json::JsonValue>{texture->offset.x, texture->offset.y}},
+      {"angle", texture->angle}};
+}
 
 std::string pieces_json(const ReadCloth& read) {
   const drape::DrapeInput& input = read.cloth;

@@ -1,9 +1,12 @@
 #pragma once
 // What a page shows of a project beside the cloth: its flat pieces and its bodies.
 
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
+#include "core/json/tree.h"
+#include "core/project/project.h"
 #include "core/project/resolve/resolve.h"
 #include "server/documents/read_cloth.h"
 
@@ -15,6 +18,9 @@ namespace toile::documents {
 /// up; points are curves flattened to 0.2 mm, curves their four control points; loop 0 is the outline, 1 the
 /// first hole. Outlines counter-clockwise, first point not repeated; colour is linear RGB.
 std::string pieces_json(const ReadCloth& read);
+
+/// A piece's picture as pieces_json() has it; null: it has none.
+json::JsonValue texture_json(const std::optional<project::ProjectTexture>& texture);
 
 /// All bodies of a project in their places as one mesh, little endian: uint32 vertices, uint32 triangles,
 /// float32 x, y, z of each vertex (m, y up), three uint32 a triangle. Errors: json.*,

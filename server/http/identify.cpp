@@ -34,6 +34,14 @@ std::string cookie_of(const HttpRequest& request, const std::string& name) {
   return "";
 }
 
+/// The token of "Authorization: Bearer …"; empty: none.
+std::string bearer_of(const HttpRequest& request) {
+  constexpr std::string_view kScheme = "bearer ";
+  const std::string given = request.header("authorization");
+  const bool bearer = lower_case(given.substr(0, kScheme.size())) == kScheme;
+  return bearer ? given.substr(kScheme.size()) : "";
+}
+
 }  // namespace
 
 RequestIds::RequestIds() {
@@ -85,13 +93,22 @@ std::string session_cookie(const std::string& name, const std::string& secret, s
          "; Path=/; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(lasts.count()) + secure;
 }
 
+std::string link_cookie_name(const std::string& link, bool secure) {
+  return (secure ? "__Secure-toile-" : "toile-") + link;
+}
+
+std::string link_cookie(const std::string& link, bool secure, const std::string& secret) {
+  return link_cookie_name(link, secure) + "=" + secret + "; Path=/api/v1/shared/" + link +
+         "; HttpOnly; SameSite=Strict" + (secure ? "; Secure" : "");
+}
+
+std::string link_secret_of(const HttpRequest& request, const std::string& link, bool secure) {
+  const std::string token = bearer_of(request);
+  return token.empty() ? cookie_of(request, link_cookie_name(link, secure)) : token;
+}
+
 accounts::Credentials credentials_of(const HttpRequest& request, const std::string& cookie) {
-  constexpr std::string_view kScheme = "bearer ";
-  const std::string given = request.header("authorization");
-  const bool bearer = lower_case(given.substr(0, kScheme.size())) == kScheme;
-  return {.token = bearer ? given.substr(kScheme.size()) : "",
-          .cookie = cookie_of(request, cookie),
-          .address = request.sender};
+  return {.token = bearer_of(request), .cookie = cookie_of(request, cookie), .address = request.sender};
 }
 
 HttpResponse not_let_in(const Error& error, bool unknown, std::chrono::seconds wait) {

@@ -49,6 +49,13 @@ std::string cookie_name(bool secure);
 /// at all it takes the cookie away.
 std::string session_cookie(const std::string& name, const std::string& secret, std::chrono::seconds lasts);
 
+/// The name of the cookie of a share link, and a Set-Cookie by which a browser shows its secret on the
+/// addresses of that link alone, until it is shut.
+std::string link_cookie_name(const std::string& link, bool secure);
+std::string link_cookie(const std::string& link, bool secure, const std::string& secret);
+/// What a request shows of a share link's secret: a token, else the cookie of `link`; empty: nothing.
+std::string link_secret_of(const HttpRequest& request, const std::string& link, bool secure);
+
 accounts::Credentials credentials_of(const HttpRequest& request, const std::string& cookie);
 
 /// 401 with WWW-Authenticate when nobody is known by what was shown; 429 with the time to wait; or what the

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/store/request_context.h"
+
 namespace toile::http {
 
 struct HttpRequest {
@@ -46,11 +48,18 @@ class AnswerFile {
   std::uint64_t size_;
 };
 
+/// What a stream shows to somebody who is not its owner.
+struct Watched {
+  store::RequestContext context;
+  std::string job;
+};
+
 struct HttpResponse {
   int status = 200;
   std::string content_type;  ///< empty: no body
   std::string body;
   std::shared_ptr<const AnswerFile> file{};  ///< in place of the body
+  std::shared_ptr<const Watched> watched{};  ///< of a stream; null: what the request names, to who asks
   std::string code{};                        ///< of a problem, for whoever counts them
   std::vector<std::pair<std::string, std::string>> headers;
 };

@@ -91,10 +91,12 @@ class HttpServer::Impl {
   static Site site_of(const ServerSettings& settings) {
     return {settings.gate != nullptr, settings.secure()};
   }
-  /// Whether a viewer's key is still good.
+  /// Whether a viewer's key or link is still good.
   ws::MayGoOn may_go_on() {
-    if (!gate_) return {};
-    return [gate = gate_](const store::RequestContext& context) { return gate->is_still_good(context.key); };
+    return [gate = gate_, links = settings_.links](const store::RequestContext& context) {
+      if (context.link) return links != nullptr && links->is_still_good(context.key);
+      return gate == nullptr || gate->is_still_good(context.key);
+    };
   }
 
   const ServerSettings settings_;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "server/accounts/gate.h"
+#include "server/accounts/link_gate.h"
 #include "server/ws/stream_settings.h"
 
 namespace toile::http {
@@ -45,6 +46,8 @@ struct ServerSettings {
   /// Lets in who is known; it outlives the server. Null: there are no accounts, and whoever comes is the
   /// single user.
   accounts::Gate* gate = nullptr;
+  /// Lets in who has a share link; it outlives the server. Null: there are none.
+  accounts::LinkGate* links = nullptr;
 };
 
 }  // namespace toile::http

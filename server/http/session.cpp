@@ -142,7 +142,11 @@ asio::awaitable<bool> HttpSession::serve_known(RequestParser& parser, HttpReques
     request.body = std::move(parser.get().body());
   }
   HttpResponse response = co_await work_.answer(route, request, asked_, stopping_);
-  if (route.websocket && response.status == 200) co_return co_await serve_stream(parser, request);
+  if (route.websocket && response.status == 200) {
+    if (response.watched) asked_ = response.watched->context;
+    const std::string job = response.watched ? response.watched->job : request.captures[0];
+    co_return co_await serve_stream(parser, job);
+  }
   const bool again = parser.get().keep_alive() && !stopping_;
   const bool written = co_await answer(request, std::move(response), again);
   co_return written&& again;
@@ -216,8 +220,8 @@ void HttpSession::tell(const HttpRequest& request, int status, const std::string
                     {"ms", std::to_string(ms)}});
 }
 
-asio::awaitable<bool> HttpSession::serve_stream(RequestParser& parser, const HttpRequest& request) {
-  viewer_ = std::make_shared<ws::StreamSession>(stream_, context_.streams, asked_, request.captures[0]);
+asio::awaitable<bool> HttpSession::serve_stream(RequestParser& parser, const std::string& job) {
+  viewer_ = std::make_shared<ws::StreamSession>(stream_, context_.streams, asked_, job);
   if (stopping_) viewer_->stop();
   ws::StreamSession::Handshake handshake = parser.release();
   co_await viewer_->run(std::move(handshake));

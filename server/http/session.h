@@ -53,7 +53,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   std::string sender_of(const HttpRequest& request) const;
   boost::asio::awaitable<bool> refuse(const HttpRequest& request, HttpResponse response);
   boost::asio::awaitable<bool> answer(const HttpRequest& request, HttpResponse response, bool keep_alive);
-  boost::asio::awaitable<bool> serve_stream(RequestParser& parser, const HttpRequest& request);
+  boost::asio::awaitable<bool> serve_stream(RequestParser& parser, const std::string& job);
   void tell(const HttpRequest& request, int status, const std::string& code, double seconds) const;
 
   static constexpr Clock::time_point kBusy = Clock::time_point::max();

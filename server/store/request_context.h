@@ -14,12 +14,15 @@
 namespace toile::store {
 
 using OwnerId = std::string;
+struct LinkRow;
 
 struct RequestContext {
   OwnerId owner;                  ///< what is looked up, made and changed is theirs
   std::string request_id;         ///< empty where no request asked
   Scopes scopes = Scopes::all();  ///< what whoever asks may do
-  std::string key;                ///< hash of the key by which they are known; empty: by none
+  std::string key;                ///< hash of the key or the link by which they are known; empty: by none
+  /// The share link by which somebody looks on who is nobody here; null: none.
+  std::shared_ptr<const LinkRow> link{};
   /// Becomes true once nobody waits for what is done, or it takes too long: what takes long looks at it. Null
   /// where nothing can be given up.
   std::shared_ptr<const std::atomic<bool>> given_up{};

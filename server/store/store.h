@@ -17,6 +17,7 @@
 #include "server/store/accounts.h"
 #include "server/store/job_priority.h"
 #include "server/store/job_state.h"
+#include "server/store/links.h"
 #include "server/store/request_context.h"
 
 namespace toile::store {
@@ -315,6 +316,8 @@ class Store {
 
   /// Who may come in; null in a store that keeps nobody. It lives as long as the store.
   virtual Accounts* accounts() { return nullptr; }
+  /// By which jobs are shown to others; null in a store that keeps none. They live as long as the store.
+  virtual Links* links() { return nullptr; }
 };
 
 }  // namespace toile::store

@@ -26,11 +26,6 @@ constexpr std::size_t kMostMessageBytes = 4096;  // of what a viewer says
 /// What the kernel keeps for a slow viewer. More would only let it see older frames.
 constexpr int kSendBufferBytes = 128 << 10;
 
-struct Found {
-  Result<store::JobRow> job;
-  Result<jobs::JobProgress> progress;
-};
-
 }  // namespace
 
 StreamSession::StreamSession(Line line, const StreamServices& services, const store::RequestContext& context,
@@ -68,6 +63,12 @@ void StreamSession::prepare() {
   socket_.control_callback([this](websocket::frame_type, beast::string_view) { last_sign_ = Clock::now(); });
 }
 
+StreamSession::Found StreamSession::find() const {
+  Found found{services_.store.job(context_, job_id_), services_.jobs.progress(context_, job_id_)};
+  if (context_.link && found.job) found.job = store::shown_by(*context_.link, std::move(*found.job));
+  return found;
+}
+
 asio::awaitable<void> StreamSession::write_all() {
   if (co_await greet()) {
     while (!gone_ && !closing_) {
@@ -80,9 +81,7 @@ asio::awaitable<void> StreamSession::write_all() {
 }
 
 asio::awaitable<bool> StreamSession::greet() {
-  const Found found = co_await on_pool(services_.pool, [this] {
-    return Found{services_.store.job(context_, job_id_), services_.jobs.progress(context_, job_id_)};
-  });
+  const Found found = co_await on_pool(services_.pool, [this] { return find(); });
   if (!found.job || !found.progress) {
     context_.log.warn("stream ended: the job cannot be read",
                       found.job ? found.progress.error() : found.job.error());
@@ -121,9 +120,7 @@ asio::awaitable<bool> StreamSession::write(std::string_view bytes, bool text) {
 }
 
 asio::awaitable<bool> StreamSession::write_ended(const ChannelView& view) {
-  const Found found = co_await on_pool(services_.pool, [this] {
-    return Found{services_.store.job(context_, job_id_), services_.jobs.progress(context_, job_id_)};
-  });
+  const Found found = co_await on_pool(services_.pool, [this] { return find(); });
   ask_to_close(websocket::close_code::normal, "the drape has ended");
   if (!found.job || !(view.ended || found.progress)) co_return true;
   const std::string last = ended_message(*found.job, view.ended ? view.progress : *found.progress);
@@ -202,7 +199,7 @@ asio::awaitable<void> StreamSession::check_key() {
   last_check_ = Clock::now();
   const auto look = [this] { return services_.may_go_on(context_); };
   const bool good = co_await on_pool(services_.pool, look);
-  if (!good) ask_to_close(websocket::close_code::policy_error, "auth.token");
+  if (!good) ask_to_close(websocket::close_code::policy_error, context_.link ? "links.over" : "auth.token");
 }
 
 bool StreamSession::overdue(Clock::time_point now) const {

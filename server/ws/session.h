@@ -59,6 +59,11 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
   using Socket = boost::beast::websocket::stream<Line>;
 
   using Reason = boost::beast::websocket::close_reason;
+  /// The job as this viewer may see it, and what it is doing.
+  struct Found {
+    Result<store::JobRow> job;
+    Result<jobs::JobProgress> progress;
+  };
 
   void prepare();
   boost::asio::awaitable<void> write_all();
@@ -71,6 +76,7 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
   boost::asio::awaitable<void> obey(std::string text);
   boost::asio::awaitable<void> watch();
   boost::asio::awaitable<void> check_key();
+  Found find() const;
   void ask_to_close(boost::beast::websocket::close_code code, std::string_view words);
   void ping();
   bool overdue(Clock::time_point now) const;

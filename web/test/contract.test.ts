@@ -6,6 +6,7 @@ import openapi from '../../proto/openapi.yaml?raw';
 import { makeApi } from '../src/api/Api';
 import { makeDressingApi } from '../src/api/dressing';
 import { Http } from '../src/api/http';
+import { makeSharedApi } from '../src/api/links';
 import { projectOf } from './fakes';
 
 interface Parameter {
@@ -76,6 +77,7 @@ describe('the contract', () => {
     const asked = [
       ...(await requestsOf(makeApi, 'first')),
       ...(await requestsOf(makeDressingApi, 'first')),
+      ...(await requestsOf(makeSharedApi, 'first')),
       ...(await requestsOf(makeDressingApi, projectOf())),
     ];
     expect(asked.length).toBeGreaterThan(30);

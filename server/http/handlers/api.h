@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "server/accounts/gate.h"
+#include "server/accounts/link_gate.h"
 #include "server/accounts/log_in.h"
 #include "server/documents/documents.h"
 #include "server/http/metrics.h"
@@ -29,6 +30,14 @@ struct Doors {
       : gate(accounts), log_in(accounts, gate), cookie(std::move(cookie_named)) {}
 };
 
+/// Where share links lead.
+struct LinkDoor {
+  accounts::LinkGate gate;
+  bool secure;  ///< browsers come by https
+  LinkDoor(store::Links& links, bool with_accounts, bool by_https)
+      : gate(links, with_accounts), secure(by_https) {}
+};
+
 /// What handlers work with; all of it outlives the router.
 struct Api {
   documents::Documents& documents;
@@ -39,6 +48,7 @@ struct Api {
   const http::Metrics& metrics;
   const std::atomic<bool>& ready;  ///< false while the server drains
   Doors* doors = nullptr;          ///< null: there are no accounts, and the store need not keep any
+  LinkDoor* link_door = nullptr;   ///< null: there are no share links
 };
 
 /// A line of a table: a Route (router.h) whose handler is told what it works with.
@@ -65,6 +75,8 @@ ApiRoutes fabric_routes();
 ApiRoutes arrangement_routes();
 ApiRoutes job_routes();
 ApiRoutes movie_routes();
+ApiRoutes link_routes();
+ApiRoutes shared_routes();
 ApiRoutes session_routes();
 ApiRoutes admin_routes();
 

@@ -1,19 +1,13 @@
 // /api/v1/jobs: drapes, their results and what viewers need beside the stream.
 
-#include <charconv>
-#include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "core/base/names.h"
-#include "core/exports/report_page.h"
-#include "core/image/reduce.h"
-#include "server/documents/projects.h"
-#include "server/documents/views.h"
 #include "server/http/handlers/answer.h"
 #include "server/http/handlers/api.h"
+#include "server/http/handlers/job_views.h"
 #include "server/http/problem.h"
 #include "server/http/static_files.h"
 #include "server/ws/job_message.h"
@@ -23,22 +17,9 @@ namespace {
 
 std::string place_of(const store::JobRow& job) { return "/api/v1/jobs/" + job.id; }
 
-/// A job with what it is doing now; no progress once it has ended and its figures are in the report.
-std::vector<json::JsonMember> members_with_progress(const Api& api, const store::RequestContext& context,
-                                                    const store::JobRow& job) {
-  std::vector<json::JsonMember> members = ws::job_members(job);
-  json::JsonValue progress;
-  if (!store::is_final(job.state)) {
-    const Result<jobs::JobProgress> now = api.jobs.progress(context, job.id);
-    if (now) progress = json::JsonValue(ws::progress_members(*now));
-  }
-  members.push_back({"progress", std::move(progress)});
-  return members;
-}
-
 http::HttpResponse job_answer(const Api& api, const store::RequestContext& context,
                               const store::JobRow& job) {
-  return json_answer(200, members_with_progress(api, context, job), "report",
+  return json_answer(200, job_members_now(api, context, job), "report",
                      job.report.empty() || !store::is_final(job.state) ? "null" : job.report);
 }
 
@@ -86,7 +67,7 @@ http::HttpResponse list(const Api& api, const store::RequestContext& context,
   Result<std::vector<store::JobRow>> rows = api.store.jobs(context, page->cursor, page->limit + 1);
   if (!rows) return http::problem(rows.error());
   return page_answer("jobs", *page, std::move(*rows), [&](const store::JobRow& row) {
-    return json::JsonValue(members_with_progress(api, context, row));
+    return json::JsonValue(job_members_now(api, context, row));
   });
 }
 
@@ -145,94 +126,6 @@ http::HttpResponse list_results(const Api& api, const store::RequestContext& con
   return json_answer(200, {{"results", std::move(results)}});
 }
 
-http::HttpResponse result(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
-  const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
-  if (!job) return http::problem(job.error());
-  const std::string& name = request.captures[1];
-  if (!job->results.contains(name)) {
-    return http::problem(
-        404, {"store.not_found", "the job has no result of that name", clipped(name), ErrorKind::kNotFound});
-  }
-  const Result<std::string> path = api.store.result_path(context, job->id, name);
-  if (!path) return http::problem(path.error());
-  http::HttpResponse response = file_answer_from(*path, http::content_type_of(name), name);
-  response.headers.emplace_back("Cache-Control", "no-cache");
-  return response;
-}
-
-constexpr int kLeastWidth = 16, kMostWidth = 1024, kUsualWidth = 320;  // pixels
-
-/// Of ?width. Error: request.width.
-Result<int> read_width(const http::HttpRequest& request) {
-  const std::string given = request.parameter("width");
-  if (given.empty()) return kUsualWidth;
-  int width = 0;
-  const auto [end, wrong] = std::from_chars(given.data(), given.data() + given.size(), width);
-  const bool whole = wrong == std::errc() && end == given.data() + given.size();
-  if (whole && width >= kLeastWidth && width <= kMostWidth) return width;
-  return Error{"request.width",
-               "\"width\" is a whole number of pixels from " + std::to_string(kLeastWidth) + " to " +
-                   std::to_string(kMostWidth),
-               "?width"};
-}
-
-/// A picture among the results, made smaller. What has ended never changes, so that whoever has it keeps it.
-http::HttpResponse small_result(const Api& api, const store::RequestContext& context,
-                                const http::HttpRequest& request) {
-  const Result<int> width = read_width(request);
-  if (!width) return http::problem(400, width.error());
-  http::HttpResponse whole = result(api, context, request);
-  if (!whole.file) return whole;
-  const std::string bytes = whole.file->read(0, static_cast<std::size_t>(whole.file->size()));
-  Result<std::string> small = image::reduced_png(bytes, *width);
-  if (!small)
-    return http::problem(422, {"request.no_picture", "only PNG pictures are made smaller",
-                               clipped(request.captures[1]), ErrorKind::kInput});
-  http::HttpResponse response = file_answer(std::move(*small), "image/png", request.captures[1]);
-  response.headers.emplace_back("Cache-Control", "private, max-age=86400, immutable");
-  return response;
-}
-
-constexpr int kPageWidth = 440;  // pixels of a picture on the report's page
-
-/// Those of the job's stills that there are, made smaller.
-std::vector<exports::PagePicture> page_pictures(const Api& api, const store::RequestContext& context,
-                                                const store::JobRow& job) {
-  std::vector<exports::PagePicture> pictures;
-  for (const char* view : {"front", "side", "back"}) {
-    const std::string name = std::string(view) + ".png";
-    if (!job.results.contains(name)) continue;
-    const Result<std::string> path = api.store.result_path(context, job.id, name);
-    if (!path) continue;
-    const std::shared_ptr<const http::AnswerFile> file = http::AnswerFile::open(*path);
-    if (!file) continue;
-    Result<std::string> small =
-        image::reduced_png(file->read(0, static_cast<std::size_t>(file->size())), kPageWidth);
-    if (small) pictures.push_back({view, std::move(*small)});
-  }
-  return pictures;
-}
-
-/// The report as a page, made when it is asked for: a drape costs nothing for what nobody looks at.
-http::HttpResponse report_page(const Api& api, const store::RequestContext& context,
-                               const http::HttpRequest& request) {
-  const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
-  if (!job) return http::problem(job.error());
-  const auto report = json::parse_json(job->report);
-  if (!store::is_final(job->state) || !report) {
-    return http::problem(
-        404, {"jobs.no_report", "the job has no report, or none yet", job->id, ErrorKind::kNotFound});
-  }
-  http::HttpResponse response = file_answer(exports::report_page(*report, page_pictures(api, context, *job)),
-                                            "text/html; charset=utf-8", "report.html");
-  for (auto& [name, value] : response.headers)
-    if (name == "Content-Security-Policy")
-      value = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; sandbox";
-  response.headers.emplace_back("Cache-Control", "no-cache");
-  return response;
-}
-
 /// What the service did for the job, a line of JSON each.
 http::HttpResponse log(const Api& api, const store::RequestContext& context,
                        const http::HttpRequest& request) {
@@ -240,18 +133,6 @@ http::HttpResponse log(const Api& api, const store::RequestContext& context,
   if (!lines) return http::problem(lines.error());
   http::HttpResponse response = file_answer(std::move(*lines), "application/x-ndjson", "log.jsonl");
   response.headers.emplace_back("Cache-Control", "no-cache");
-  return response;
-}
-
-http::HttpResponse body(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
-  const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
-  if (!job) return http::problem(job.error());
-  Result<std::string> bytes =
-      documents::body_bytes(job->document, documents::files_in_store(api.documents, context, job->files));
-  if (!bytes) return http::problem(bytes.error());
-  http::HttpResponse response = file_answer(std::move(*bytes), "application/octet-stream", "body.bin");
-  response.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
   return response;
 }
 
@@ -279,14 +160,14 @@ ApiRoutes job_routes() {
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/retry", .handler = retry},
       {.pattern = "/api/v1/jobs/{id}/results", .handler = list_results},
-      {.pattern = "/api/v1/jobs/{id}/results/{name}", .handler = result},
+      {.pattern = "/api/v1/jobs/{id}/results/{name}", .handler = job_result},
       {.pattern = "/api/v1/jobs/{id}/results/{name}/small",
-       .handler = small_result,
+       .handler = small_job_result,
        .work = http::Work::kDocument,
        .parameters = {"width"}},
-      {.pattern = "/api/v1/jobs/{id}/report", .handler = report_page, .work = http::Work::kDocument},
+      {.pattern = "/api/v1/jobs/{id}/report", .handler = job_report_page, .work = http::Work::kDocument},
       {.pattern = "/api/v1/jobs/{id}/log", .handler = log},
-      {.pattern = "/api/v1/jobs/{id}/body", .handler = body, .work = http::Work::kHeavy},
+      {.pattern = "/api/v1/jobs/{id}/body", .handler = job_body, .work = http::Work::kHeavy},
       {.pattern = "/api/v1/jobs/{id}/stream", .handler = stream, .websocket = true},
   };
 }

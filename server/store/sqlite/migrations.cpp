@@ -145,6 +145,21 @@ CREATE TABLE keys (
 ) STRICT;
 CREATE INDEX keys_by_owner ON keys (owner, id);
 )sql"},
+    {10, "links by which a job is shown to others", R"sql(
+ALTER TABLE keys DROP COLUMN job;
+CREATE TABLE links (
+  hash TEXT NOT NULL PRIMARY KEY,
+  id TEXT NOT NULL,
+  owner TEXT NOT NULL,
+  job TEXT NOT NULL,
+  label TEXT NOT NULL,
+  takes TEXT NOT NULL,
+  created_ms INTEGER NOT NULL,
+  expires_ms INTEGER NOT NULL,
+  revoked_ms INTEGER NOT NULL
+) STRICT;
+CREATE INDEX links_by_owner ON links (owner, id);
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

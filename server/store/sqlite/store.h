@@ -17,6 +17,7 @@
 #include "server/store/ids.h"
 #include "server/store/sqlite/accounts.h"
 #include "server/store/sqlite/database.h"
+#include "server/store/sqlite/links.h"
 #include "server/store/store.h"
 
 namespace toile::sqlite {
@@ -121,6 +122,7 @@ class SqliteStore final : public store::Store {
   store::StoreFigures figures() const override;
   Status ping() override;
   store::Accounts* accounts() override { return &accounts_; }
+  store::Links* links() override { return &links_; }
 
  private:
   // What follows expects mutex_ to be held.
@@ -168,6 +170,7 @@ class SqliteStore final : public store::Store {
   SqlDatabase database_;
   store::IdSource ids_;
   SqliteAccounts accounts_{mutex_, database_, ids_};
+  SqliteLinks links_{mutex_, database_, ids_};
 };
 
 /// Now, as Unix time.

@@ -14,6 +14,7 @@ struct ContractRoute {
   std::string method, path;
   bool open = false;   ///< security: []
   bool admin = false;  ///< its security names the role admin
+  bool link = false;   ///< for who has a share link, and for nobody by an account
 };
 
 /// In the contract's own order. It is read line by line: paths are indented by two, methods by four, what
@@ -36,6 +37,7 @@ inline std::vector<ContractRoute> contract_routes() {
     }
     if (!line.starts_with("      security:")) continue;
     routes.back().open = line.find("[]") != std::string::npos && line.find('{') == std::string::npos;
+    routes.back().link = line.find("{link: []}") != std::string::npos;
     routes.back().admin = line.find("[admin]") != std::string::npos;
   }
   return routes;

@@ -109,10 +109,12 @@ class Served : public testing::Test {
       doors = std::make_unique<handlers::Doors>(*store->accounts(), http::cookie_name(settings.secure()));
       settings.gate = &doors->gate;
     }
+    link_door = std::make_unique<handlers::LinkDoor>(*store->links(), with_accounts, settings.secure());
+    settings.links = &link_door->gate;
     settings.most_connections = 64;
     server = std::make_unique<http::HttpServer>(*store, *jobs, hub, settings, log);
     handlers::add_routes(server->router(), {*documents, *store, *jobs, *movies, hub, server->metrics(),
-                                            server->ready(), doors.get()});
+                                            server->ready(), doors.get(), link_door.get()});
     if (more_routes) more_routes(server->router());
     const Status started = server->start();
     ASSERT_TRUE(started) << to_string(started.error());
@@ -122,6 +124,7 @@ class Served : public testing::Test {
     if (jobs) jobs->stop();
     server.reset();
     doors.reset();
+    link_door.reset();
     movies.reset();
     jobs.reset();
     documents.reset();
@@ -174,6 +177,7 @@ class Served : public testing::Test {
   std::unique_ptr<jobs::JobService> jobs;
   std::unique_ptr<jobs::Movies> movies;
   std::unique_ptr<handlers::Doors> doors;
+  std::unique_ptr<handlers::LinkDoor> link_door;
   std::unique_ptr<http::HttpServer> server;
   int port = 0;
 };

@@ -40,10 +40,10 @@ class Contract : public Served {
     lines += json::write_json_line(std::move(members)) + "\n";
   }
 
-  void keep_stream(const std::string& id) {
-    Socket viewer(port, "/api/v1/jobs/" + id + "/stream");
+  void keep_stream(const std::string& address, const std::string& headers = "") {
+    Socket viewer(port, address + "/stream", headers);
     keep({{"method", std::string("GET")},
-          {"path", "/api/v1/jobs/" + id + "/stream"},
+          {"path", address + "/stream"},
           {"status", static_cast<double>(viewer.status())},
           {"content_type", std::string()},
           {"body", std::string()}});
@@ -163,6 +163,32 @@ class Contract : public Served {
     recorded("DELETE", "/api/v1/keys/" + id, "", second);
   }
 
+  /// What whoever has a link sees of the drape, which has ended and has a picture on it.
+  void record_links(const std::string& address) {
+    const std::string wish = R"({"label": "to see", "days": 1, "take": ["pictures", "models", "report"]})";
+    recorded("POST", address + "/links", R"({"days": -1})", kJson);
+    recorded("POST", "/api/v1/jobs/j_0/links", wish, kJson);
+    const std::string secret = member(recorded("POST", address + "/links", wish, kJson), "secret");
+    recorded("GET", address + "/links");
+    recorded("GET", "/api/v1/links");
+    recorded("POST", "/api/v1/shared", R"({"secret": "guess"})", kJson);
+    recorded("POST", "/api/v1/shared", "[", kJson);
+    const Answer opened = recorded("POST", "/api/v1/shared", "{\"secret\": \"" + secret + "\"}", kJson);
+    ASSERT_EQ(opened.status, 200) << opened.body;
+    const std::string id = member(opened, "id"), place = "/api/v1/shared/" + id,
+                      bearer = "Authorization: Bearer " + secret + "\r\n";
+    for (const char* part : {"", "/cloth", "/pieces", "/pictures/a.png", "/body", "/report",
+                             "/results/front.png", "/results/final.glb", "/results/front.png/small?width=64"})
+      EXPECT_EQ(recorded("GET", place + part, "", bearer).status, 200) << part;
+    for (const char* part : {"/pictures/b.png", "/results/final.hung", "/results/nothing.png", "/stream"})
+      EXPECT_GE(recorded("GET", place + part, "", bearer).status, 400) << part;
+    recorded("GET", place);
+    keep_stream(place, bearer);
+    EXPECT_EQ(recorded("DELETE", "/api/v1/links/" + id).status, 204);
+    recorded("DELETE", "/api/v1/links/" + id);
+    recorded("GET", place, "", bearer);
+  }
+
   /// Made, or failed where ffmpeg is not installed.
   void record_movies(const std::string& address) {
     const std::string place = address + "/movies";
@@ -254,6 +280,8 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("PUT", one, request, std::string(kJson) + "If-Match: \"9\"\r\n");
   recorded("PUT", one, request, std::string(kJson) + "If-Match: \"1\"\r\n");
   record_edits(one);
+  const std::string any = std::string(kJson) + "If-Match: *\r\n";
+  EXPECT_EQ(recorded("POST", one + "/redo", "", any).status, 200) << "it is draped with its picture";
 
   const std::string submission = "{\"project_id\": \"" + project + "\"}";
   const std::string job = member(recorded("POST", "/api/v1/jobs", submission, once), "id");
@@ -262,7 +290,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   const std::string address = "/api/v1/jobs/" + job;
   recorded("GET", address);
   recorded("GET", "/api/v1/jobs");
-  keep_stream(job);
+  keep_stream(address);
   EXPECT_GE(frames, 2);
   const Answer done = recorded("GET", address);
   EXPECT_EQ(member(done, "state"), "succeeded") << done.body;
@@ -271,6 +299,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", address + "/results/nothing");
   recorded("GET", address + "/results/front.png/small?width=64");
   recorded("GET", address + "/results/report.json/small");
+  record_links(address);
   record_movies(address);
   recorded("GET", address + "/report");
   recorded("GET", address + "/log");

@@ -63,14 +63,22 @@ class Accounts : public Served {
     store::JobRow row = *store->job(owner, job);
     const std::string picture = png_of(squares());
     ASSERT_TRUE(store->put_result(owner, job, "front.png", picture));
+    ASSERT_TRUE(store->put_result(owner, job, "final.obj", kPost));
     row.state = store::JobState::kSucceeded;
     row.report = "{\"settled\": true}";
     row.results["front.png"] = static_cast<std::int64_t>(picture.size());
+    row.results["final.obj"] = static_cast<std::int64_t>(std::string(kPost).size());
     ASSERT_TRUE(update_job(*store, owner, row));
     token(anna, "read");
     const std::string key = last_key;
-    things = {{"assets", asset}, {"bodies", asset}, {"projects", project},
-              {"jobs", job},     {"keys", key},     {"admin/accounts", ben.id}};
+    store::LinkRow link;
+    link.owner = anna.id;
+    link.job = job;
+    link.takes = {true, true, true};
+    shared = accounts::new_secret();
+    const std::string link_id = store->links()->add_link(link, accounts::hash_of_secret(shared))->id;
+    things = {{"assets", asset}, {"bodies", asset},  {"projects", project}, {"jobs", job},
+              {"keys", key},     {"links", link_id}, {"shared", link_id},   {"admin/accounts", ben.id}};
     ASSERT_FALSE(asset.empty() || project.empty() || job.empty());
   }
 
@@ -104,6 +112,7 @@ class Accounts : public Served {
          R"({"mannequin": {"preset": "eu40", "triangles": 1000}})"},
         {"PUT /api/v1/projects/{id}/bodies/{body}/landmarks/{landmark}", R"({"place": [0, 1, 0.2]})"},
         {"POST /api/v1/projects/{id}/place", R"({"piece": "back", "side": "back"})"},
+        {"POST /api/v1/shared", R"({"secret": "guess"})"},
         {"POST /api/v1/jobs", "{\"project_id\": \"" + things["projects"] + "\"}"},
     };
     const auto found = bodies.find(operation);
@@ -130,6 +139,7 @@ class Accounts : public Served {
   store::AccountRow anna, ben;
   std::string full;      ///< Anna's token for everything
   std::string last_key;  ///< id of the token that was made last
+  std::string shared;    ///< secret of a link to Anna's job
   std::map<std::string, std::string> things;
 };
 

@@ -2,6 +2,7 @@
 
 import { decodeBody, type BodyMesh } from './body';
 import { Http, kLongPatience } from './http';
+import { makeLinkApi, type LinkApi } from './links';
 import { makeSessionApi, type SessionApi } from './session';
 import type {
   Answer,
@@ -23,7 +24,7 @@ import type {
 
 export type JobAction = 'pause' | 'resume' | 'cancel';
 
-export interface Api extends SessionApi {
+export interface Api extends SessionApi, LinkApi {
   projects(): Promise<Project[]>;
   project(id: string): Promise<Project>;
   createProject(document: unknown, files: Record<string, string>): Promise<Project>;
@@ -75,6 +76,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
     `/jobs/${part(id)}/results/${name.split('/').map(part).join('/')}`;
   return {
     ...makeSessionApi(http),
+    ...makeLinkApi(http),
     projects: async () => (await http.get<Answer<'listProjects'>>('/projects?limit=100')).projects,
     project: (id) => http.get(`/projects/${part(id)}`),
     createProject: (document, files) => http.post('/projects', { document, files }),

@@ -43,6 +43,11 @@ export type Fabric = Schemas['Fabric'];
 export type EditStep = Schemas['EditStep'];
 /** How a movie stands that was asked for. */
 export type MovieOrder = Schemas['Movie'];
+/** By which a job is shown to others, and what they may take home. */
+export type ShareLink = Schemas['Link'];
+export type Taking = Schemas['Taking'];
+/** A job as a link shows it. */
+export type SharedJob = Omit<Schemas['SharedJob'], 'report'> & { report: Report | null };
 /** Who asks, and what they may. */
 export type Session = Schemas['Session'];
 export type MovieKind = 'drape' | 'turntable';

@@ -12,6 +12,7 @@ const kLost: Record<Route['name'], string> = {
   job: 'This drape does not exist, or no longer does.',
   project: 'This project does not exist, or no longer does.',
   compare: 'One of these drapes does not exist, or no longer does.',
+  shared: '', // has a page of its own
   unknown: 'The page has nothing at this address.',
 };
 

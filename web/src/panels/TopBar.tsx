@@ -87,6 +87,11 @@ function Actions() {
   const active = job !== null && isActive(job.state);
   return (
     <div class="actions">
+      {job && (
+        <button class="plain" disabled={offline} onClick={() => (state.sharing.value = true)} title="Show this drape to others">
+          <Icon name="share" /> <span class="label">Share</span>
+        </button>
+      )}
       {can.cancel && (
         <button class="plain" disabled={offline} onClick={() => void commands.act('cancel')}>
           <Icon name="stop" /> Cancel

@@ -1,6 +1,7 @@
 // The 3D view's place on the page: its canvas, its buttons, and what is said while there is nothing to show.
 
 import { effect, useSignal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Job } from '../api/types';
 import { useCommands } from '../commands/context';
@@ -42,6 +43,8 @@ export interface ScenePaneProps {
   /** The 3D code, which is fetched while the page is drawn. */
   code: Promise<typeof import('./SceneView')>;
   drawn: () => void;
+  /** What is said over the stage, in place of the page's own words and ways out. */
+  told?: ComponentChildren;
 }
 
 /** The 3D view on the canvas, from when its code is there until the pane goes; and why there is none. */
@@ -85,7 +88,7 @@ export function ScenePane(props: ScenePaneProps) {
       {failed.value ? (
         <Message title="No 3D here" text={`This browser could not open WebGL 2: ${failed.value}`} />
       ) : (
-        <Overlay />
+        (props.told ?? <Overlay />)
       )}
       <Busy />
       <ViewTools />

@@ -93,6 +93,8 @@ export class AppState {
   /** The sample that a project is being made of, by its id; empty: none. */
   readonly sampling: Signal<string> = signal('');
   readonly helpShown: Signal<boolean> = signal(false);
+  /** The dialog in which links to the shown drape are made. */
+  readonly sharing: Signal<boolean> = signal(false);
   readonly railShown: Signal<boolean> = signal((globalThis.innerWidth ?? 1440) > 860);
   readonly tab: Signal<Tab> = signal('pattern');
   /** Written by a command, read by the 3D view; `turn` rises so that the same view can be asked for again. */
@@ -127,7 +129,7 @@ export class AppState {
 
   readonly projectId: ReadonlySignal<string | null> = computed(() => {
     const route = this.route.value;
-    return route.name === 'project' ? route.id : (this.job.value?.project_id ?? null);
+    return route.name === 'project' ? route.id : (this.job.value?.project_id || null);
   });
 
   readonly project: ReadonlySignal<Project | null> = computed(

@@ -5,6 +5,7 @@ export type Route =
   | { name: 'project'; id: string }
   | { name: 'job'; id: string }
   | { name: 'compare'; left: string; right: string }
+  | { name: 'shared'; secret: string }
   | { name: 'unknown'; path: string };
 
 export function parseRoute(hash: string): Route {
@@ -12,6 +13,8 @@ export function parseRoute(hash: string): Route {
   if (path === '' || path === '/') return { name: 'home' };
   const two = /^\/compare\/([A-Za-z0-9_-]{1,64})\/([A-Za-z0-9_-]{1,64})$/.exec(path);
   if (two) return { name: 'compare', left: two[1]!, right: two[2]! };
+  const shared = /^\/shared\/(\w{1,128})$/.exec(path);
+  if (shared) return { name: 'shared', secret: shared[1]! };
   const match = /^\/(projects|jobs)\/([A-Za-z0-9_-]{1,64})$/.exec(path);
   if (!match) return { name: 'unknown', path };
   return { name: match[1] === 'jobs' ? 'job' : 'project', id: match[2]! };
@@ -27,6 +30,8 @@ export function formatRoute(route: Route): string {
       return `#/jobs/${route.id}`;
     case 'compare':
       return `#/compare/${route.left}/${route.right}`;
+    case 'shared':
+      return `#/shared/${route.secret}`;
     case 'unknown':
       return `#${route.path}`;
   }

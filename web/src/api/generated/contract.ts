@@ -925,6 +925,32 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/links": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        /** The share links of a job, newest first; never their secrets */
+        get: operations["listLinksOfJob"];
+        put?: never;
+        /**
+         * Make a link by which whoever has it sees this job, live or ended, and nothing else
+         * @description No account is wanted to open it. The secret is told once and kept as a hash. The page of the link is `page`, whose part behind the
+         *     # is never sent to a server. Who sees the cloth sees its shape: the stream and the cloth have its mesh with the places of its
+         *     vertices on the flat pieces.
+         */
+        post: operations["shareJob"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/stream": {
         parameters: {
             query?: never;
@@ -937,6 +963,255 @@ export interface paths {
         };
         /** The moving cloth on a WebSocket (asyncapi.yaml) */
         get: operations["streamJob"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/links": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** All share links of whoever asks, newest first; never their secrets */
+        get: operations["listLinks"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/links/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: string;
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** From now on the link opens nothing, also to who looks on just now */
+        delete: operations["revokeLink"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * What a share link shows
+         * @description The link's secret against a cookie that is sent to the addresses of this link only, and the job as the link shows it. A program
+         *     may show the secret with each request instead (Authorization: Bearer …). Ten wrong ones of an address in a minute,
+         *     and further ones are answered with 429. What was a link once is answered with 410 and a code that says what became of it:
+         *     `links.expired`, `links.revoked`, `links.removed` (its job).
+         */
+        post: operations["openLink"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        /** The job that a share link shows, with what it is doing */
+        get: operations["showShared"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/{id}/cloth": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        /** The draped cloth (final.obj), to be shown */
+        get: operations["sharedCloth"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/{id}/pieces": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        /** Colours and prints of the pieces on the cloth, without their outlines */
+        get: operations["sharedPieces"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/{id}/pictures/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+                /** @example front.png */
+                name: string;
+            };
+            cookie?: never;
+        };
+        /** A picture that is on a piece */
+        get: operations["sharedPicture"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/{id}/body": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        /** The bodies under the cloth, as one mesh; as GET /api/v1/jobs/{id}/body */
+        get: operations["sharedBody"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/{id}/results/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+                /** @example front.png */
+                name: string;
+            };
+            cookie?: never;
+        };
+        /** A file that may be taken home; any other is answered with 403 */
+        get: operations["sharedResult"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/{id}/results/{name}/small": {
+        parameters: {
+            query?: {
+                /** @description Pixels; the height follows */
+                width?: number;
+            };
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+                /** @example front.png */
+                name: string;
+            };
+            cookie?: never;
+        };
+        /** A still, made smaller */
+        get: operations["sharedStill"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/{id}/report": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        /** The report as one page of HTML, where it may be taken home */
+        get: operations["sharedReport"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/{id}/stream": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        /** The moving cloth on a WebSocket (asyncapi.yaml), to look at only */
+        get: operations["streamShared"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1551,16 +1826,7 @@ export interface components {
                     number
                 ];
                 grain: components["schemas"]["Point"];
-                /** @description A picture on the piece, as the document has it; its file is among the project's */
-                texture: null | {
-                    /** @description name of the file */
-                    image: string;
-                    /** @description width of one repeat */
-                    scale_mm: number;
-                    offset: components["schemas"]["Point"];
-                    /** @description degrees, counter-clockwise from the grain */
-                    angle: number;
-                };
+                texture: components["schemas"]["PieceTexture"];
                 outline: components["schemas"]["Polyline"];
                 holes: components["schemas"]["Polyline"][];
                 edges: {
@@ -1644,8 +1910,10 @@ export interface components {
          */
         JobPriority: "interactive" | "batch";
         JobFields: {
+            /** @description of a link where the job is seen by one */
             id: string;
             project_id: string;
+            /** @description 0 where the job is seen by a link */
             project_revision: number;
             name: string;
             priority: components["schemas"]["JobPriority"];
@@ -1714,6 +1982,61 @@ export interface components {
             progress: components["schemas"]["ProgressNow"];
             /** @description report.json; null until there is one */
             report: components["schemas"]["report.schema"] | null;
+        };
+        /**
+         * @description stills in full size and movies; GLB and OBJ; report.json and the report as a page
+         * @enum {string}
+         */
+        Taking: "pictures" | "models" | "report";
+        Link: {
+            id: string;
+            /** @description Id of what it shows */
+            job: string;
+            label: string;
+            take: components["schemas"]["Taking"][];
+            created_ms: number;
+            /** @description 0 for never */
+            expires_ms: number;
+            expired: boolean;
+        };
+        /** @description A job under the id of a link to it; its project, places in the pattern and results that may not be taken are left out */
+        SharedJob: components["schemas"]["JobFields"] & {
+            progress: components["schemas"]["ProgressNow"];
+            label: string;
+            /** @description 0 for never */
+            expires_ms: number;
+            take: components["schemas"]["Taking"][];
+            /** @description Names of the pictures */
+            stills: string[];
+            /** @description There is a draped cloth to show */
+            cloth: boolean;
+            /** @description report.json; null until there is one */
+            report: components["schemas"]["report.schema"] | null;
+        };
+        SeenPieces: {
+            pieces: {
+                id: string;
+                fabric: string;
+                /** @description linear RGB */
+                colour: [
+                    number,
+                    number,
+                    number
+                ];
+                grain: components["schemas"]["Point"];
+                texture: components["schemas"]["PieceTexture"];
+            }[];
+            fabrics: components["schemas"]["fabric.schema"][];
+        };
+        /** @description A picture on the piece, as the document has it; its file is among the project's */
+        PieceTexture: null | {
+            /** @description name of the file */
+            image: string;
+            /** @description width of one repeat */
+            scale_mm: number;
+            offset: components["schemas"]["Point"];
+            /** @description degrees, counter-clockwise from the grain */
+            angle: number;
         };
         /**
          * @example {
@@ -3249,6 +3572,17 @@ export interface components {
                 "application/json": components["schemas"]["Job"];
             };
         };
+        /** @description The links */
+        Links: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/json": {
+                    links: components["schemas"]["Link"][];
+                };
+            };
+        };
         /** @description How the movie stands; 200 when it is made, 202 while it is not */
         Movie: {
             headers: {
@@ -3272,6 +3606,8 @@ export interface components {
         };
     };
     parameters: {
+        /** @example l_1qedqq1nd5hfbjxpm78j */
+        LinkId: string;
         /** @example a_54ce42ce6ee49336caaa45f5216ac786 */
         AssetId: string;
         /** @example p_1qedqq1nd5hfbjxpm78j */
@@ -5107,6 +5443,77 @@ export interface operations {
             default: components["responses"]["Problem"];
         };
     };
+    listLinksOfJob: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["Links"];
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    shareJob: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "label": "For the atelier",
+                 *       "days": 30,
+                 *       "take": [
+                 *         "pictures",
+                 *         "report"
+                 *       ]
+                 *     }
+                 */
+                "application/json": {
+                    /** @description What its owner calls it */
+                    label?: string;
+                    /** @description How long it is good; null for ever */
+                    days?: number | null;
+                    /** @default [] */
+                    take?: components["schemas"]["Taking"][];
+                };
+            };
+        };
+        responses: {
+            /** @description The link with its secret */
+            201: {
+                headers: {
+                    Location: components["headers"]["Location"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        link: components["schemas"]["Link"];
+                        secret: string;
+                        /** @description Where the page of this server shows it */
+                        page: string;
+                    };
+                };
+            };
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
     streamJob: {
         parameters: {
             query?: never;
@@ -5128,6 +5535,333 @@ export interface operations {
             };
             403: components["responses"]["Problem"];
             404: components["responses"]["Problem"];
+            426: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listLinks: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["Links"];
+            401: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    revokeLink: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It is taken back */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    openLink: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": {
+                    secret: string;
+                };
+            };
+        };
+        responses: {
+            /** @description It opens */
+            200: {
+                headers: {
+                    "Set-Cookie"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SharedJob"];
+                };
+            };
+            400: components["responses"]["Problem"];
+            401: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
+            429: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    showShared: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The job under the link's id */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SharedJob"];
+                };
+            };
+            401: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    sharedCloth: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Its bytes */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/obj": unknown;
+                };
+            };
+            401: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    sharedPieces: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The pieces, and the fabrics of the library among theirs */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SeenPieces"];
+                };
+            };
+            401: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    sharedPicture: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+                /** @example front.png */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Its bytes */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": unknown;
+                    "image/jpeg": unknown;
+                };
+            };
+            401: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    sharedBody: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The mesh */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            401: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    sharedResult: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+                /** @example front.png */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Its bytes */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": unknown;
+                    "image/png": unknown;
+                    "model/gltf-binary": unknown;
+                    "model/obj": unknown;
+                    "video/mp4": unknown;
+                    "video/x-msvideo": unknown;
+                };
+            };
+            401: components["responses"]["Problem"];
+            403: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    sharedStill: {
+        parameters: {
+            query?: {
+                /** @description Pixels; the height follows */
+                width?: number;
+            };
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+                /** @example front.png */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description A PNG */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": unknown;
+                };
+            };
+            401: components["responses"]["Problem"];
+            403: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    sharedReport: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description A page with nothing outside it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": unknown;
+                };
+            };
+            401: components["responses"]["Problem"];
+            403: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    streamShared: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example l_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["LinkId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The connection is a WebSocket now */
+            101: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            401: components["responses"]["Problem"];
+            403: components["responses"]["Problem"];
+            410: components["responses"]["Problem"];
             426: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };

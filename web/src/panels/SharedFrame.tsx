@@ -1,0 +1,104 @@
+// The page of a share link: its name above, the cloth, and what is told of it; or why there is nothing to see.
+
+import type { ComponentChildren } from 'preact';
+import type { SharedApi } from '../api/links';
+import type { SharedJob } from '../api/types';
+import { useAppState } from '../state/context';
+import { activity, isActive } from '../state/jobs';
+import { closedBy, type SharedState } from '../state/shared';
+import { SharedPanel } from './SharedPanel';
+import { StateChip } from './StateChip';
+
+interface Props {
+  shared: SharedState;
+  api: SharedApi;
+  again(): void;
+  /** The cloth. */
+  children: ComponentChildren;
+}
+
+export function SharedFrame({ shared, api, again, children }: Props) {
+  const loaded = shared.job.value;
+  if (loaded.state === 'failed') {
+    const why = closedBy(loaded.error);
+    return (
+      <Bare title={why.title} text={why.text}>
+        {why.again && (
+          <button class="primary" onClick={again}>
+            Try again
+          </button>
+        )}
+      </Bare>
+    );
+  }
+  if (loaded.state === 'loading') {
+    return (
+      <div class="shared-bare" role="status">
+        <span class="spinner" aria-hidden="true" />
+        <p>Opening the link…</p>
+      </div>
+    );
+  }
+  return (
+    <div class="shared">
+      <Head job={loaded.value} />
+      <main class="shared-main">
+        {children}
+        <SharedPanel job={loaded.value} api={api} />
+      </main>
+    </div>
+  );
+}
+
+function Head({ job }: { job: SharedJob }) {
+  return (
+    <header class="topbar shared-top">
+      <Mark />
+      <h1>{job.name}</h1>
+      <StateChip state={job.state} />
+      <span class="shared-word" title="Whoever shared this drape lets you look at it">
+        Shared with you
+      </span>
+    </header>
+  );
+}
+
+function Mark() {
+  return (
+    <span class="brand">
+      <svg viewBox="0 0 32 32" width="22" height="22" aria-hidden="true">
+        <rect width="32" height="32" rx="7" />
+        <path d="M11 7h10l1.2 3.6H9.8z" />
+        <path d="M9.4 12h13.2l4 12.4c-3.2 1.5-5.8-.6-8.4.3-2.7.9-4.9 1.1-7.3.2-1.9-.7-3.7.4-5.5-.5z" opacity=".82" />
+      </svg>
+      <span>Toile</span>
+    </span>
+  );
+}
+
+function Bare({ title, text, children }: { title: string; text: string; children: ComponentChildren }) {
+  return (
+    <main class="shared-bare">
+      <Mark />
+      <h1>{title}</h1>
+      <p>{text}</p>
+      {children}
+    </main>
+  );
+}
+
+/** Over the stage while there is no cloth. */
+export function SharedTold({ shared }: { shared: SharedState }) {
+  const state = useAppState();
+  const loaded = shared.job.value;
+  if (state.covered.value || loaded.state !== 'ready') return null;
+  const job = loaded.value;
+  if (!isActive(job.state) && !job.cloth) return <p class="scene-message compact">There is no cloth to show.</p>;
+  const doing = isActive(job.state) ? activity(job.state, state.progress.value?.phase) : 'Fetching the drape';
+  return (
+    <div class="scene-message quiet" role="status">
+      <span class="spinner" aria-hidden="true" />
+      <p>{doing}…</p>
+    </div>
+  );
+}
