@@ -63,4 +63,18 @@ bool LinkGate::is_still_good(const std::string& hash) {
   return !opened.unknown && !opened.over;
 }
 
+std::shared_ptr<const store::LinkRow> LinkGate::seat(const store::LinkRow& link) {
+  const std::lock_guard hold(seats_->mutex);
+  int& taken = seats_->taken[link.id];
+  if (taken >= kMostViewers) return nullptr;
+  const auto leave = [seats = seats_](const store::LinkRow* left) {
+    const std::lock_guard again(seats->mutex);
+    const auto found = seats->taken.find(left->id);
+    if (--found->second == 0) seats->taken.erase(found);
+    delete left;
+  };
+  ++taken;
+  return {new store::LinkRow(link), leave};
+}
+
 }  // namespace toile::accounts

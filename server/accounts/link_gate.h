@@ -2,6 +2,9 @@
 // Lets in who has a share link, to what it shows and nothing else.
 
 #include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string>
 
 #include "core/base/result.h"
@@ -21,7 +24,8 @@ struct Opened {
 /// Calls are thread-safe and may block.
 class LinkGate {
  public:
-  static constexpr int kMostWrong = 10;  ///< secrets a minute, of an address
+  static constexpr int kMostWrong = 10;    ///< secrets a minute, of an address
+  static constexpr int kMostViewers = 50;  ///< streams of a link at once
 
   /// `with_accounts`: only what somebody has who has an account is shown.
   LinkGate(store::Links& links, bool with_accounts) : links_(links), with_accounts_(with_accounts) {}
@@ -36,12 +40,23 @@ class LinkGate {
   /// of its secret. True also when the store cannot say.
   bool is_still_good(const std::string& hash);
 
+  /// A seat among those who follow a link's stream: so many people do, and who passes a link on to all the
+  /// world does not use up the server's connections. It is given back when the last copy goes, be it after
+  /// the gate. Null when all are taken.
+  std::shared_ptr<const store::LinkRow> seat(const store::LinkRow& link);
+
  private:
+  /// How many look on, by link.
+  struct Seats {
+    std::mutex mutex;
+    std::map<std::string, int> taken;
+  };
   Opened link_of(const std::string& hash);
 
   store::Links& links_;
   const bool with_accounts_;
   Guesses wrong_{kMostWrong};  // by address
+  const std::shared_ptr<Seats> seats_ = std::make_shared<Seats>();
 };
 
 }  // namespace toile::accounts

@@ -119,6 +119,7 @@ describe('share links', () => {
     await guest.goto(service.url + made.page);
     await waitFor(guest, () => window.__toile.frames?.() > 3);
     await guest.getByText('You see it live').waitFor();
+    await waitFor(guest, () => window.__toile.body() === 'ready' && window.__toile.drawn() > 3);
     await shoot(guest, 'share-8-live');
     await service.get(`/links/${made.link.id}`, { method: 'DELETE' });
     await guest.getByRole('heading', { name: 'This link was taken back' }).waitFor();

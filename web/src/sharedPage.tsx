@@ -46,7 +46,7 @@ export function startShared(secret: string, root: HTMLElement): void {
     const job = valueOf(shared.job.value);
     document.title = job ? `${job.name} · Toile` : 'Toile';
   });
-  window.addEventListener('online', again);
+  window.addEventListener('online', () => (shared.job.value.state === 'failed' ? again() : stream.poke()));
   window.addEventListener('hashchange', () => {
     const route = parseRoute(location.hash);
     if (route.name !== 'shared' || route.secret !== secret) location.reload();
@@ -65,6 +65,7 @@ export function startShared(secret: string, root: HTMLElement): void {
   Object.assign(window, {
     __toile: {
       shared: () => valueOf(shared.job.value),
+      body: () => state.body.value?.state ?? '',
       frames: () => state.cloth.frames,
       drawn: () => hook.drawn,
       stream: () => state.stream.value.state,

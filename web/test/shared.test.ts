@@ -2,6 +2,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { ApiError } from '../src/api/http';
 import type { SharedApi } from '../src/api/links';
 import type { SharedJob } from '../src/api/types';
+import { clothFromObj } from '../src/api/objCloth';
 import { SharedKeeper } from '../src/commands/SharedKeeper';
 import { AppState, valueOf } from '../src/state/AppState';
 import { parseRoute, formatRoute } from '../src/state/routes';
@@ -75,6 +76,17 @@ describe('a share link', () => {
     await later();
     expect(valueOf(shared.job.value)?.state).toBe('succeeded');
     expect(state.cloth.topology).not.toBeNull();
+  });
+
+  it('asks for the body again that a busy server did not give', async () => {
+    const live = sharedOf({ state: 'running', cloth: false });
+    const body = vi.fn(async () => ({ positions: new Float32Array(9), indices: new Uint32Array(3) }));
+    const { state, keeper } = keeperOf(apiOf({ open: async () => live, body: body.mockRejectedValueOnce(new ApiError(503, 'server.busy', '')) }));
+    await keeper.open('secret');
+    expect(state.body.value?.state).toBe('failed');
+    keeper.handlers().topology(clothFromObj(kTriangle, []).topology);
+    await later();
+    expect(state.body.value?.state).toBe('ready');
   });
 
   it.each(['links.expired', 'links.revoked', 'links.removed'])('says when it is over: %s', async (code) => {

@@ -61,6 +61,9 @@ http::HttpResponse with_link(const Api& api, const store::RequestContext& asked,
   if (!job) return http::problem(job.error());
   visit.job = std::move(*job);
   http::HttpResponse response = show(visit);
+  // Why something of the owner's cannot be read names what is theirs.
+  if (response.status == 422 || response.status == 500)
+    response = http::problem(response.status, {"links.not_shown", "this part of it cannot be shown", ""});
   for (auto& [name, value] : response.headers)
     if (name == "Cache-Control") value = "private, no-cache";  // until it is taken back, and no longer
   return response;
@@ -221,8 +224,14 @@ http::HttpResponse stream(const Api& api, const store::RequestContext& asked,
     if (request.header("authorization").empty() && request.header("origin").empty())
       return http::problem(403,
                            {"http.origin", "with a cookie a request says whose page it is of", "Origin"});
+    store::RequestContext context = visit.context;
+    context.link = api.link_door->gate.seat(*visit.link);
+    if (!context.link)
+      return http::problem({"links.viewers",
+                            "as many look on by this link as there is room for; try again later", "",
+                            ErrorKind::kTooMany});
     http::HttpResponse response;
-    response.watched = std::make_shared<const http::Watched>(http::Watched{visit.context, visit.job.id});
+    response.watched = std::make_shared<const http::Watched>(http::Watched{std::move(context), visit.job.id});
     return response;
   });
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -234,6 +235,21 @@ TEST_F(SharedStream, EndsWhenTheLinkIsTakenBack) {
   ASSERT_EQ(viewer.status(), 101);
   ASSERT_EQ(as(full, "DELETE", "/api/v1/links/" + link).status, 204);
   EXPECT_EQ(viewer.read_to_close(), 1008);
+}
+
+TEST_F(SharedStream, HasRoomForSoManyAndNoMore) {
+  share_live();
+  std::vector<std::unique_ptr<Socket>> viewers;
+  for (int i = 0; i < accounts::LinkGate::kMostViewers; ++i) {
+    viewers.push_back(std::make_unique<Socket>(port, target, shown(secret)));
+    ASSERT_EQ(viewers.back()->status(), 101) << i;
+  }
+  EXPECT_EQ(Socket(port, target, shown(secret)).status(), 429);
+  EXPECT_EQ(Socket(port, place + "/stream", shown(shared)).status(), 101) << "another link has room";
+  viewers.clear();
+  int status = 0;
+  for (int i = 0; i < 200 && status != 101; ++i) status = Socket(port, target, shown(secret)).status();
+  EXPECT_EQ(status, 101) << "who goes gives the seat back";
 }
 
 /// Without accounts, and behind a proxy.

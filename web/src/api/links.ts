@@ -1,7 +1,7 @@
 // Share links: those that an owner makes, and what one shows to whoever opens it.
 
 import { decodeBody, type BodyMesh } from './body';
-import { Http } from './http';
+import { Http, kLongPatience } from './http';
 import type { Answer, Fabric, Piece, Question, ShareLink, SharedJob } from './types';
 
 export type LinkWish = Question<'shareJob'>;
@@ -48,7 +48,7 @@ export function makeSharedApi(http = new Http('/api/v1')): SharedApi {
     open: (secret) => http.post('/shared', { secret } satisfies Question<'openLink'>),
     show: (id) => http.get(at(id)),
     cloth: (id) => http.text(at(id, '/cloth')),
-    body: async (id) => decodeBody(await http.bytes(at(id, '/body'))),
+    body: async (id) => decodeBody(await http.bytes(at(id, '/body'), kLongPatience)),
     pieces: async (id) => {
       const seen = await http.get<Answer<'sharedPieces'>>(at(id, '/pieces'));
       return { fabrics: seen.fabrics, pieces: seen.pieces.map((piece) => ({ ...kNothing, ...piece })) };

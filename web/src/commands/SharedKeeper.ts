@@ -35,9 +35,11 @@ export class SharedKeeper {
     this.state_.route.value = { name: 'job', id: job.id };
     this.state_.watched.value = job.id;
     this.state_.tab.value = 'drape';
-    await Promise.all([this.loadPieces(job), this.loadBody(job)]);
+    const body = this.loadBody(job);
     if (isActive(job.state)) this.follow(job);
-    else await this.loadCloth(job);
+    await this.loadPieces(job);
+    if (!isActive(job.state)) await this.loadCloth(job);
+    await body;
   }
 
   again(): Promise<void> {
@@ -58,7 +60,11 @@ export class SharedKeeper {
         if (message.type === 'job') void this.look();
         if (message.type === 'ended') void this.look();
       },
-      topology: (topology) => cloth.setTopology(topology),
+      topology: (topology) => {
+        cloth.setTopology(topology);
+        const job = this.seen();
+        if (job && this.state_.body.value?.state === 'failed') void this.loadBody(job);
+      },
       frame: (positions, moment) => cloth.setPositions(positions, moment),
     };
   }
@@ -120,6 +126,7 @@ export class SharedKeeper {
   }
 
   private async loadBody(job: SharedJob): Promise<void> {
+    this.state_.body.value = loading;
     try {
       this.state_.body.value = ready(await this.api_.body(job.id));
     } catch (error) {

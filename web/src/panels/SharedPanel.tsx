@@ -87,8 +87,8 @@ function TakeHome({ job, api }: { job: SharedJob; api: SharedApi }) {
             <a href={api.reportUrl(job.id)} target="_blank" rel="noreferrer">
               <Icon name="file" />
               <span>
-                <b>Report</b>
-                <small>One page to read and print</small>
+                <b>Report to read</b>
+                <small>One page, also to print</small>
               </span>
             </a>
           </li>

@@ -102,7 +102,7 @@ describe('the page of a share link', () => {
     show({ take: ['models', 'report'], results: { 'final.glb': 1000 }, report: reportOf() });
     expect(document.querySelector<HTMLImageElement>('.stills img')!.src).toMatch(/shared\/l_1\/results\/front.png\/small\?width=320/);
     expect(screen.getByText('Take home')).toBeTruthy();
-    expect([...document.querySelectorAll('.downloads b')].map((one) => one.textContent)).toEqual(['Report', 'GLB']);
+    expect([...document.querySelectorAll('.downloads b')].map((one) => one.textContent)).toEqual(['Report to read', 'GLB']);
     expect(document.querySelectorAll('.report li').length).toBeGreaterThan(3);
   });
 

@@ -5863,6 +5863,7 @@ export interface operations {
             403: components["responses"]["Problem"];
             410: components["responses"]["Problem"];
             426: components["responses"]["Problem"];
+            429: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
