@@ -188,9 +188,14 @@ Failure check_lines(const Panel& panel, const std::string& piece) {
   return std::nullopt;
 }
 
-Failure check_panel(const Panel& panel, const std::string& piece) {
+std::vector<const Loop*> loops_of(const Panel& panel) {
   std::vector<const Loop*> loops{&panel.outline};
   for (const Loop& hole : panel.holes) loops.push_back(&hole);
+  return loops;
+}
+
+/// What must hold before the loops can be drawn and compared.
+Failure check_form(const Panel& panel, const std::vector<const Loop*>& loops, const std::string& piece) {
   for (std::size_t l = 0; l < loops.size(); ++l)
     if (loops[l]->edges.empty())
       return Error{"pattern.empty_edge", "The outline has no edges.", piece + loop_text(l)};
@@ -199,6 +204,12 @@ Failure check_panel(const Panel& panel, const std::string& piece) {
     if (auto error = check_closed(*loop, piece)) return error;
   if (!is_finite(panel.grain) || std::abs(length(panel.grain) - 1) > kUnitSlack)
     return Error{"pattern.bad_grain", "The grain is not a direction of length 1.", piece};
+  return std::nullopt;
+}
+
+Failure check_panel(const Panel& panel, const std::string& piece) {
+  const std::vector<const Loop*> loops = loops_of(panel);
+  if (auto error = check_form(panel, loops, piece)) return error;
   if (auto error = check_crossings(loops, piece)) {
     // A flat outline touches itself everywhere: that it is flat says more.
     if (auto fault = area_fault(loops, piece); fault && fault->flat) return fault->error;
@@ -270,6 +281,13 @@ Status validate(const Panel& panel) {
   if (panel.id.empty()) return Error{"pattern.missing_id", "The piece has no id.", ""};
   const Failure error = check_panel(panel, "piece " + panel.id);
   return error ? Status(*error) : Status();
+}
+
+bool has_crossing_lines(const Panel& panel) {
+  const std::vector<const Loop*> loops = loops_of(panel);
+  if (panel.id.empty() || check_form(panel, loops, "") || !check_crossings(loops, "")) return false;
+  const std::optional<AreaFault> fault = area_fault(loops, "");
+  return !(fault && fault->flat);
 }
 
 Status validate(const Pattern& pattern) {

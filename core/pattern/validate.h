@@ -21,4 +21,8 @@ Status validate(const Pattern& pattern);
 /// The same for one piece by itself.
 Status validate(const Panel& panel);
 
+/// Whether its outline and holes cross or touch, or a hole lies outside of the cloth, and nothing worse is
+/// wrong with it: what validate(panel) would tell as pattern.self_crossing or pattern.hole_outside.
+bool has_crossing_lines(const Panel& panel);
+
 }  // namespace toile::pattern

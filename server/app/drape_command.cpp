@@ -28,6 +28,7 @@
 #include "server/app/progress_bar.h"
 #include "server/jobs/results.h"
 #include "server/movie/film_recorder.h"
+#include "server/render/still.h"
 
 namespace toile::app {
 namespace {
@@ -132,7 +133,8 @@ Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result,
   TRY(jobs::write_film(input, result, textures, motion, options.out));
   TRY(exports::write_report(fs::path(options.out) / "report.json", report));
   if (options.stills && exit_code_of(result) != kCancelled) {
-    TRY(jobs::write_stills(input, result, textures, options.out, options.width, options.height));
+    render::Stills stills;
+    TRY(jobs::write_stills(stills, input, result, textures, options.out, options.width, options.height));
   }
   TRY(write_page(report, options));
   if (options.json) {

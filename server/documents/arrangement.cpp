@@ -148,6 +148,28 @@ arrange::Arrangement of_all(arrange::Arrangement some, const drape::DrapeInput& 
   return some;
 }
 
+/// Whether an arrangement before this one made it. An id alone does not tell, since a person may call their
+/// own attachments as they like: it is all that such a hold is.
+bool is_arranged_hold(const project::ProjectAttachment& a) {
+  const std::string name = "hold_" + a.piece;
+  if (!a.id.starts_with(name)) return false;
+  const std::string rest = a.id.substr(name.size());  // "_2": another had the name
+  const bool named = rest.empty() || (rest.size() > 1 && rest[0] == '_' &&
+                                      rest.find_first_not_of("0123456789", 1) == std::string::npos);
+  const sewing::Attachment usual;
+  return named && a.hold == "height" && a.points.empty() && !a.to && a.release_after_s == usual.release_after;
+}
+
+/// `id`, with a number behind it where another attachment has it.
+std::string free_id(const std::string& id, const std::vector<project::ProjectAttachment>& taken) {
+  const auto has = [&](const std::string& name) {
+    return std::any_of(taken.begin(), taken.end(), [&](const auto& a) { return a.id == name; });
+  };
+  std::string name = id;
+  for (int n = 2; has(name); ++n) name = id + "_" + std::to_string(n);
+  return name;
+}
+
 }  // namespace
 
 Result<arrange::Arrangement> arrangement_of(const drape::DrapeInput& input) {
@@ -164,10 +186,12 @@ void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& 
   for (std::size_t p = 0; p < project.pieces.size(); ++p) {
     project.pieces[p].placement = create::project_placement(made.placements[p]);
   }
-  std::erase_if(project.attachments,
-                [](const project::ProjectAttachment& a) { return a.id.starts_with("hold_"); });
-  for (const sewing::Attachment& a : made.attachments)
-    project.attachments.push_back(create::project_attachment(pattern, a));
+  std::erase_if(project.attachments, is_arranged_hold);
+  for (const sewing::Attachment& a : made.attachments) {
+    project::ProjectAttachment hold = create::project_attachment(pattern, a);
+    hold.id = free_id(hold.id, project.attachments);
+    project.attachments.push_back(std::move(hold));
+  }
 }
 
 std::vector<json::JsonMember> arrangement_members(const arrange::Arrangement& made) {

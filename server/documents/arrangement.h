@@ -17,8 +17,9 @@ namespace toile::documents {
 /// with a finding each (core/drape/worn_part.h). Errors: mesh.*, those of arrange().
 Result<arrange::Arrangement> arrangement_of(const drape::DrapeInput& input);
 
-/// The arrangement's places and holds in the document; holds of an arrangement before this one are replaced,
-/// others stay. REQUIRES that `project` and `pattern` have the same pieces.
+/// The arrangement's places and holds in the document. Holds of an arrangement before this one are replaced:
+/// those that are named and made as it makes them. Others stay, whatever their ids. REQUIRES that `project`
+/// and `pattern` have the same pieces.
 void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& pattern,
                       project::Project& project);
 

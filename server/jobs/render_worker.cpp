@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "server/render/still.h"
+
 namespace toile::jobs {
 namespace {
 
@@ -15,10 +17,10 @@ using FirstOfTwo = std::atomic_flag;
 
 /// Throws what the drawing throws; tells the log when nobody is there any more to catch it.
 RenderWorker::Drawing telling(RenderWorker::Drawing drawing, std::shared_ptr<FirstOfTwo> first, Log log) {
-  return [drawing = std::move(drawing), first = std::move(first),
-          log = std::move(log)](const RunContext& context) -> Status {
+  return [drawing = std::move(drawing), first = std::move(first), log = std::move(log)](
+             render::Stills& stills, const RunContext& context) -> Status {
     try {
-      return drawing(context);
+      return drawing(stills, context);
     } catch (const std::exception& e) {
       if (first->test_and_set()) log.error("a drawing that was given up threw", {{"what", e.what()}});
       throw;
@@ -46,7 +48,8 @@ RenderWorker::~RenderWorker() {
 Status RenderWorker::draw(Drawing drawing, const std::function<bool()>& given_up, const Log& log) {
   const auto dropped = std::make_shared<std::atomic<bool>>(false);
   const auto first = std::make_shared<FirstOfTwo>();
-  std::packaged_task<Status(const RunContext&)> task(telling(std::move(drawing), first, log));
+  std::packaged_task<Status(render::Stills&, const RunContext&)> task(
+      telling(std::move(drawing), first, log));
   std::future<Status> drawn = task.get_future();
   {
     const std::lock_guard lock(mutex_);
@@ -66,6 +69,7 @@ Status RenderWorker::draw(Drawing drawing, const std::function<bool()>& given_up
 }
 
 void RenderWorker::work() {
+  render::Stills stills;  // begins and ends on this thread, as OpenGL wants it
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stopping_ || !orders_.empty(); });
@@ -75,7 +79,7 @@ void RenderWorker::work() {
     lock.unlock();
     RunContext context;
     context.cancel = order.dropped.get();
-    if (!context.cancelled()) order.drawing(context);
+    if (!context.cancelled()) order.drawing(stills, context);
     order = {};  // what the drawing owns goes before the lock is taken
     lock.lock();
   }

@@ -15,6 +15,10 @@
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 
+namespace toile::render {
+class Stills;
+}
+
 namespace toile::jobs {
 
 class RenderWorker {
@@ -26,8 +30,9 @@ class RenderWorker {
   RenderWorker(const RenderWorker&) = delete;
   RenderWorker& operator=(const RenderWorker&) = delete;
 
-  /// Something to draw; it looks now and then whether its context is cancelled.
-  using Drawing = std::function<Status(const RunContext& context)>;
+  /// Something to draw, with the thread's own renderer; it looks now and then whether its context is
+  /// cancelled.
+  using Drawing = std::function<Status(render::Stills& stills, const RunContext& context)>;
 
   /// Runs `drawing` on the drawing thread, waits for it and gives back what it gives; what it throws is
   /// thrown here. `given_up` is asked every few milliseconds: once it says so, the drawing is cancelled and
@@ -37,7 +42,7 @@ class RenderWorker {
 
  private:
   struct Order {
-    std::packaged_task<Status(const RunContext&)> drawing;
+    std::packaged_task<Status(render::Stills&, const RunContext&)> drawing;
     std::shared_ptr<const std::atomic<bool>> dropped;
   };
   void work();

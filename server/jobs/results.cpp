@@ -48,9 +48,9 @@ render::Scene scene_of(const drape::DrapeInput& input, const drape::DrapeResult&
   return scene;
 }
 
-Status write_view(const render::Scene& scene, render::View view, const render::StillSettings& settings,
-                  const fs::path& path) {
-  const render::Image image = TRY(render::render_still(scene, view, settings));
+Status write_view(render::Stills& stills, const render::Scene& scene, render::View view,
+                  const render::StillSettings& settings, const fs::path& path) {
+  const render::Image image = TRY(stills.render(scene, view, settings));
   return render::write_png(path, image);
 }
 
@@ -98,7 +98,7 @@ Status write_film(const drape::DrapeInput& input, const drape::DrapeResult& resu
   return write_bytes(folder / movie::kFilmFile, movie::encode_film(film));
 }
 
-Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& result,
+Status write_stills(render::Stills& stills, const drape::DrapeInput& input, const drape::DrapeResult& result,
                     const image::Textures& textures, const fs::path& folder, int width, int height,
                     const RunContext& context) {
   const render::Scene scene = scene_of(input, result, textures);
@@ -108,14 +108,15 @@ Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& re
         std::pair{render::View::kSide, "side"}, std::pair{render::View::kThreeQuarter, "three-quarter"}}) {
     if (context.cancelled())
       return Error{"cancelled", "the pictures are not wanted any more", "", ErrorKind::kCancelled};
-    TRY(write_view(scene, view, settings, folder / (std::string(name) + ".png")));
+    TRY(write_view(stills, scene, view, settings, folder / (std::string(name) + ".png")));
   }
   return {};
 }
 
-Status write_thumbnail(const drape::DrapeInput& input, const drape::DrapeResult& result,
-                       const image::Textures& textures, const fs::path& folder) {
-  return write_view(scene_of(input, result, textures), render::View::kThreeQuarter,
+Status write_thumbnail(render::Stills& stills, const drape::DrapeInput& input,
+                       const drape::DrapeResult& result, const image::Textures& textures,
+                       const fs::path& folder) {
+  return write_view(stills, scene_of(input, result, textures), render::View::kThreeQuarter,
                     {.width = kThumbnailWidth, .height = kThumbnailHeight}, folder / "thumbnail.png");
 }
 

@@ -15,6 +15,10 @@
 #include "server/movie/film.h"
 #include "server/store/store.h"
 
+namespace toile::render {
+class Stills;
+}
+
 namespace toile::jobs {
 
 /// Writes final.obj, final.glb and final.hung into `folder`; with `check_data` rest.obj, body.obj and
@@ -28,15 +32,17 @@ Status write_film(const drape::DrapeInput& input, const drape::DrapeResult& resu
                   const image::Textures& textures, const movie::Motion& motion,
                   const std::filesystem::path& folder);
 
-/// Writes front.png, back.png, side.png and three-quarter.png into `folder`, drawn on the calling thread.
-/// Errors: render.*, export.write; "cancelled" when the context was, between two pictures.
-Status write_stills(const drape::DrapeInput& input, const drape::DrapeResult& result,
+/// Writes front.png, back.png, side.png and three-quarter.png into `folder`, drawn on the calling thread,
+/// to which `stills` belongs. Errors: render.*, export.write; "cancelled" when the context was, between two
+/// pictures.
+Status write_stills(render::Stills& stills, const drape::DrapeInput& input, const drape::DrapeResult& result,
                     const image::Textures& textures, const std::filesystem::path& folder, int width,
                     int height, const RunContext& context = {});
 
 /// Writes thumbnail.png, 320 by 400 pixels, drawn on the calling thread. Errors: render.*, export.write.
-Status write_thumbnail(const drape::DrapeInput& input, const drape::DrapeResult& result,
-                       const image::Textures& textures, const std::filesystem::path& folder);
+Status write_thumbnail(render::Stills& stills, const drape::DrapeInput& input,
+                       const drape::DrapeResult& result, const image::Textures& textures,
+                       const std::filesystem::path& folder);
 
 /// A folder of its own for as long as it is held.
 class TemporaryFolder {

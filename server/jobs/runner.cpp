@@ -49,12 +49,12 @@ struct Delivery {
 Status draw(const RunPlace& place, const RunControl& control, std::shared_ptr<const Delivery> delivery,
             const Log& log) {
   const auto drawing = [delivery = std::move(delivery), width = place.still_width,
-                        height = place.still_height](const RunContext& context) -> Status {
+                        height = place.still_height](render::Stills& stills,
+                                                     const RunContext& context) -> Status {
     const std::filesystem::path& path = delivery->folder->path();
-    Status stills =
-        write_stills(*delivery->input, *delivery->result, delivery->textures, path, width, height, context);
-    if (!stills) return stills;
-    return write_thumbnail(*delivery->input, *delivery->result, delivery->textures, path);
+    TRY(write_stills(stills, *delivery->input, *delivery->result, delivery->textures, path, width, height,
+                     context));
+    return write_thumbnail(stills, *delivery->input, *delivery->result, delivery->textures, path);
   };
   return place.renderer->draw(drawing, control.abandon, log);
 }

@@ -76,8 +76,23 @@ Status JobTable::claim(const Changing&, LiveJob& job, std::chrono::milliseconds 
   return {};
 }
 
+Status JobTable::tell_work(const Changing&, LiveJob& job) {
+  const double worked_s = worked(job);
+  const std::string told = text_of(progress(job));
+  store::JobRow row = TRY(store_.change_job(job.context, job.id, [&](store::JobRow& now) -> Status {
+    now.worked_ms = std::llround(1000 * worked_s);
+    now.progress = told;
+    return {};
+  }));
+  const std::lock_guard lock(mutex_);
+  job.row = without_document(std::move(row));
+  return {};
+}
+
 Status JobTable::release(const Changing&, LiveJob& job, std::unique_ptr<JobRun>& run) {
-  store::JobRow row = TRY(store_.change_job(job.context, job.id, [](store::JobRow& now) -> Status {
+  const double worked_s = worked(job);
+  store::JobRow row = TRY(store_.change_job(job.context, job.id, [&](store::JobRow& now) -> Status {
+    now.worked_ms = std::llround(1000 * worked_s);
     now.lease.holder.clear();
     return {};
   }));

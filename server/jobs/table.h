@@ -52,7 +52,10 @@ class JobTable {
   /// A worker of this process takes it: kClaim under a new lease, or under the one that it has kept with its
   /// drape. Errors: as change(); jobs.taken while another process has it.
   Status claim(const Changing&, LiveJob& job, std::chrono::milliseconds lease, const RowEdit& edit = {});
-  /// Gives up the lease of a job that no worker holds, and the drape.
+  /// Writes what this process has done on a job that is here and that no worker holds, as a heartbeat would.
+  /// Errors: those of the store.
+  Status tell_work(const Changing&, LiveJob& job);
+  /// Gives up the lease of a job that no worker holds, and the drape; what was done on it is written.
   Status release(const Changing&, LiveJob& job, std::unique_ptr<JobRun>& run);
   /// What the store has of it, where another process may have changed it. Whether its state is another now.
   bool adopt(const Changing&, LiveJob& job, const store::JobRow& row);

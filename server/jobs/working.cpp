@@ -124,7 +124,11 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
       unnamed_results = false;  // whoever has it now tells
     } else if (job->wanted_away) {
       give_away(changing, *job, run);
-    } else if (table_.is_open(changing)) {  // else it is told when it has been given back
+    } else if (table_.is_open(changing)) {           // else it is told when it has been given back
+      if (job->state == store::JobState::kPaused) {  // its last slice came after the pause was written
+        const Status told = table_.tell_work(changing, *job);
+        if (!told) job->context.log.warn("work on a paused job not kept", told.error());
+      }
       table_.announce(changing, *job);
       if (job->state == store::JobState::kRunning) table_.make_wait(changing, *job);
     }

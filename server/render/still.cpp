@@ -116,13 +116,12 @@ Result<Image> StillRenderer::render(const Scene& scene, const Camera& camera, co
   return settings.transparent ? reduction.with_opacity() : reduction.opaque();
 }
 
-Result<Image> render_still(const Scene& scene, View view, const StillSettings& settings) {
-  thread_local std::unique_ptr<StillRenderer> kept;
-  if (kept == nullptr) {
+Result<Image> Stills::render(const Scene& scene, View view, const StillSettings& settings) {
+  if (renderer_ == nullptr) {
     std::unique_ptr<StillRenderer> made = TRY(StillRenderer::create());
-    kept = std::move(made);
+    renderer_ = std::move(made);
   }
-  return kept->render(scene, view, settings);
+  return renderer_->render(scene, view, settings);
 }
 
 }  // namespace toile::render

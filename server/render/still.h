@@ -46,7 +46,14 @@ class StillRenderer {
   std::unique_ptr<Parts> parts_;
 };
 
-/// One still, with a renderer that the calling thread keeps. Errors: as above.
-Result<Image> render_still(const Scene& scene, View view, const StillSettings& settings = {});
+/// A renderer that is made when the first picture is asked for. Belongs to one thread, which also ends it.
+class Stills {
+ public:
+  /// Errors: as above.
+  Result<Image> render(const Scene& scene, View view, const StillSettings& settings = {});
+
+ private:
+  std::unique_ptr<StillRenderer> renderer_;
+};
 
 }  // namespace toile::render

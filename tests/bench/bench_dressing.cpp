@@ -6,12 +6,9 @@
 // projects with bodies of their own. --film tells of the way there, not of the end alone.
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "core/arrange/arrange.h"
@@ -19,10 +16,9 @@
 #include "core/drape/pipeline.h"
 #include "core/dressing/dress.h"
 #include "core/mesh/make_panel_meshes.h"
-#include "core/project/create/create.h"
-#include "core/project/resolve/resolve.h"
 #include "server/render/png.h"
 #include "server/render/still.h"
+#include "tests/bench/designs.h"
 
 namespace {
 
@@ -32,29 +28,12 @@ using namespace toile;
 struct Options {
   fs::path data;
   std::vector<fs::path> bodies;
-  std::vector<std::string> garments;
+  std::vector<fs::path> garments;
   bool arrange = false, film = false;
   double mm = 20;
   int way = -1;  ///< of dressing_ways(), -1: each in turn
   fs::path stills;
 };
-
-std::string slurp(const fs::path& p) {
-  std::ifstream in(p, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::vector<std::string> designs_of(const fs::path& data, bool even) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(data / "garmentcode/random")) {
-    const std::string file = entry.path().filename().string();
-    const auto end = file.find("_specification.json");
-    if (end == std::string::npos) continue;
-    if ((std::atoi(file.substr(7, 4).c_str()) % 2 == 0) == even) names.push_back(file.substr(0, end));
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 Options read_options(int count, char** arguments) {
   Options o;
@@ -73,26 +52,13 @@ Options read_options(int count, char** arguments) {
       o.arrange = true;
     } else if (a == "--film") {
       o.film = true;
-    } else if (a == "even" || a == "odd") {
-      const auto names = designs_of(o.data, a == "even");
-      o.garments.insert(o.garments.end(), names.begin(), names.end());
     } else {
-      o.garments.push_back(std::isdigit(static_cast<unsigned char>(a[0])) ? "random_" + a : a);
+      const auto named = bench::garments_named(o.data, a);
+      o.garments.insert(o.garments.end(), named.begin(), named.end());
     }
   }
   if (o.bodies.empty()) o.bodies.push_back(o.data / "bodies/garmentcode-mean_all.obj");
   return o;
-}
-
-Result<drape::DrapeInput> input_of(const Options& o, const std::string& garment, const fs::path& body) {
-  if (garment.ends_with(".json")) return std::move(TRY(resolve::read_project(garment)).input);
-  create::NewProjectSettings settings;
-  settings.name = garment;
-  settings.body_file = body.filename().string();
-  auto made = TRY(create::new_project(
-      slurp(o.data / "garmentcode/random" / (garment + "_specification.json")), settings));
-  made.project.bodies[0].unit = "m";
-  return resolve::resolve_project(made.project, resolve::files_in(body.parent_path(), {}));
 }
 
 void make_still(const sewing::GarmentMesh& g, std::span<const Vec3> x, const body::Body& body,
@@ -101,8 +67,9 @@ void make_still(const sewing::GarmentMesh& g, std::span<const Vec3> x, const bod
   scene.cloth = {{x.begin(), x.end()}, g.triangles, g.panel_of_triangle, g.weld, {}, {}, nullptr};
   scene.bodies.push_back({&body.mesh});
   scene.floor = 0;
+  render::Stills stills;
   for (const auto& [view, tag] : {std::pair{render::View::kFront, "_f"}, {render::View::kBack, "_b"}}) {
-    auto image = render::render_still(scene, view, {500, 640});
+    auto image = stills.render(scene, view, {500, 640});
     if (image) (void)render::write_png(file.string() + tag + ".png", *image);
   }
 }
@@ -136,8 +103,8 @@ Status place_anew(drape::DrapeInput& input, const mesh::PanelMeshes& meshes) {
 }
 
 /// Whether a way was certified.
-Result<bool> put_on(const Options& o, const std::string& garment, const fs::path& body) {
-  drape::DrapeInput input = TRY(input_of(o, garment, body));
+Result<bool> put_on(const Options& o, const fs::path& garment, const fs::path& body) {
+  drape::DrapeInput input = TRY(bench::garment_input(garment, body));
   const auto person = dressing::find_person(input.bodies);
   if (!person) return Error{"body.not_standing", "nobody to dress", body.string()};
   const dressing::Wearer wearer(*person);
@@ -145,7 +112,7 @@ Result<bool> put_on(const Options& o, const std::string& garment, const fs::path
   if (o.arrange) TRY(place_anew(input, meshes));
   const auto assembly = TRY(sewing::assemble(meshes, input.placements, input.attachments, input.notions));
   const std::string name =
-      fs::path(garment).stem().string() + "_" + body.stem().string() + (o.arrange ? "_arranged" : "");
+      bench::name_of_garment(garment) + "_" + body.stem().string() + (o.arrange ? "_arranged" : "");
   for (std::size_t k = 0; k < dressing::dressing_ways().size(); ++k) {
     if (o.way >= 0 && static_cast<int>(k) != o.way) continue;
     const std::string title = name + "_w" + std::to_string(k);
@@ -182,7 +149,7 @@ int main(int count, char** arguments) {
   std::size_t certified = 0, tried = 0;
   for (const fs::path& body : o.bodies) {
     std::size_t here = 0;
-    for (const std::string& garment : o.garments) {
+    for (const fs::path& garment : o.garments) {
       const auto on = put_on(o, garment, body);
       if (!on)
         std::printf("%s %s: %s\n", garment.c_str(), body.stem().c_str(), to_string(on.error()).c_str());

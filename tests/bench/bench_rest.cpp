@@ -7,13 +7,11 @@
 // own. Even designs are for tuning, odd ones for scores.
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 
@@ -21,8 +19,7 @@
 #include "core/drape/drape_start.h"
 #include "core/drape/input_hash.h"
 #include "core/drape/pipeline.h"
-#include "core/project/create/create.h"
-#include "core/project/resolve/resolve.h"
+#include "tests/bench/designs.h"
 
 namespace {
 
@@ -33,26 +30,10 @@ constexpr double kFar = 5e-3;  // m, that cloth at rest goes at most
 
 struct Options {
   fs::path data, csv;
-  std::vector<std::string> garments;
+  std::vector<fs::path> garments;
   double mm = 20, seconds = 1, max_time = 0;
   bool damped = false;
 };
-
-std::string slurp(const fs::path& p) {
-  std::ifstream in(p, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::vector<std::string> designs_of(const fs::path& data, bool even) {
-  std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(data / "garmentcode/random")) {
-    const std::string file = entry.path().filename().string();
-    if (!file.ends_with("_specification.json")) continue;
-    if ((std::atoi(file.substr(7, 4).c_str()) % 2 == 0) == even) files.push_back(entry.path().string());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 Options read_options(int count, char** arguments) {
   Options o;
@@ -67,29 +48,18 @@ Options read_options(int count, char** arguments) {
       o.csv = arguments[++i];
     } else if (a == "--damped") {
       o.damped = true;
-    } else if (a == "even" || a == "odd") {
-      const auto files = designs_of(o.data, a == "even");
-      o.garments.insert(o.garments.end(), files.begin(), files.end());
-    } else if (std::isdigit(static_cast<unsigned char>(a[0]))) {
-      o.garments.push_back(
-          (o.data / "garmentcode/random" / ("random_" + a + "_specification.json")).string());
     } else {
-      o.garments.push_back(a);
+      const auto named = bench::garments_named(o.data, a);
+      o.garments.insert(o.garments.end(), named.begin(), named.end());
     }
   }
   return o;
 }
 
-Result<drape::DrapeInput> input_of(const Options& o, const std::string& file) {
-  if (!file.ends_with("_specification.json")) return std::move(TRY(resolve::read_project(file)).input);
-  create::NewProjectSettings settings;
-  settings.name = fs::path(file).stem().string();
-  settings.body_file = "garmentcode-mean_all.obj";
-  auto made = TRY(create::new_project(slurp(file), settings));
-  made.project.bodies[0].unit = "m";
-  drape::DrapeInput input =
-      TRY(resolve::resolve_project(made.project, resolve::files_in(o.data / "bodies", {})));
-  input.settings.particle_distance = o.mm * 1e-3;
+/// A project keeps its own particle distance.
+Result<drape::DrapeInput> input_of(const Options& o, const fs::path& file) {
+  drape::DrapeInput input = TRY(bench::garment_input(file, o.data / "bodies/garmentcode-mean_all.obj"));
+  if (file.string().ends_with("_specification.json")) input.settings.particle_distance = o.mm * 1e-3;
   return input;
 }
 
@@ -123,15 +93,13 @@ Moved moved_between(std::span<const Vec3> from, std::span<const Vec3> to) {
   return {m.largest, std::sqrt(m.rms / count), m.share / count};
 }
 
-Status test_rest(const Options& o, const std::string& file) {
+Status test_rest(const Options& o, const fs::path& file) {
   const RunContext context;
   const drape::DrapeInput input = TRY(input_of(o, file));
   const auto run = TRY(drape::DrapeRun::start(input, context, nullptr));
   run->advance(std::numeric_limits<int>::max(), context);
   const drape::DrapeResult end = run->conclude();
-  std::string name = fs::path(file).stem().string();
-  if (name == "project") name = fs::path(file).parent_path().filename().string();
-  std::string line = name.substr(0, name.find("_specification")) + "," + to_string(end.stop_reason) + ",";
+  std::string line = bench::name_of_garment(file) + "," + to_string(end.stop_reason) + ",";
   char text[200];
   std::snprintf(text, sizeof text, "%zu,%d,%.3f,%.2f,%.2f,%.1f,%d", end.positions.size(), end.steps,
                 end.simulated_time, end.cpu_s, 1e3 * end.rms_speed, 1e3 * end.max_speed,
@@ -172,7 +140,7 @@ int main(int count, char** arguments) {
   std::printf(
       "garment,end,vertices,steps,simulated_s,cpu_s,rms_mm_s,fastest_mm_s,crossings,then for each second "
       "largest_mm,rms_mm,share_over_5mm\n");
-  for (const std::string& garment : o.garments) {
+  for (const fs::path& garment : o.garments) {
     if (const Status done = test_rest(o, garment); !done)
       std::printf("%s: %s\n", garment.c_str(), to_string(done.error()).c_str());
   }

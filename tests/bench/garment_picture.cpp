@@ -21,7 +21,7 @@ Result<image::Picture> picture_of(const drape::DrapeInput& input, const drape::D
     scene.cloth.colour_of_panel.push_back({colour[0], colour[1], colour[2]});
   }
   for (const body::Body& body : input.bodies) scene.bodies.push_back({.mesh = &body.mesh});
-  const render::Image still = TRY(render::render_still(scene, view, {width, height}));
+  const render::Image still = TRY(render::Stills().render(scene, view, {width, height}));
   image::Picture picture{width, height, {}, true};
   for (std::size_t i = 0; i < still.rgb.size(); i += 3) {
     for (std::size_t k = 0; k < 3; ++k) picture.rgba.push_back(still.rgb[i + k]);

@@ -16,6 +16,7 @@
 #include "server/render/png.h"
 #include "server/render/still.h"
 #include "tests/render/draped.h"
+#include "tests/render/one_still.h"
 
 namespace toile {
 namespace {
@@ -82,7 +83,7 @@ render::Image drawn(render::View view, render::Structure structure) {
     look = {structure, 0.8e-3f, 2.5e-3f,
             0.5f,      0.3f,    0.02f};  // coarse, so that threads show on a small picture
   }
-  return *render::render_still(scene, view, {192, 240, 4});
+  return *test::render_still(scene, view, {192, 240, 4});
 }
 
 render::Image kept(const std::string& path) {

@@ -7,6 +7,7 @@
 
 #include "core/body/mannequin/mannequin.h"
 #include "tests/render/draped.h"
+#include "tests/render/one_still.h"
 
 namespace toile {
 namespace {
@@ -28,7 +29,7 @@ bool is_grey(Pixel p) { return std::abs(p.r - p.b) < 20; }
 
 render::Image still(const render::Scene& scene, render::View view,
                     const render::StillSettings& settings = kSmall) {
-  Result<render::Image> image = render::render_still(scene, view, settings);
+  Result<render::Image> image = test::render_still(scene, view, settings);
   EXPECT_TRUE(image.ok()) << to_string(image.error());
   return image.ok() ? std::move(*image) : render::Image{};
 }
@@ -263,14 +264,14 @@ TEST(Still, OfAMannequinShowsNoShadowOfItsFacets) {
 
 TEST(Still, RefusesWhatItCannotDraw) {
   Draped skirt = folded_skirt();
-  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {8, 320, 4}).error().code,
+  EXPECT_EQ(test::render_still(skirt.scene(), render::View::kFront, {8, 320, 4}).error().code,
             "render.settings");
-  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {256, 1 << 20, 4}).error().code,
+  EXPECT_EQ(test::render_still(skirt.scene(), render::View::kFront, {256, 1 << 20, 4}).error().code,
             "render.settings");
-  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, {256, 320, 3}).error().code,
+  EXPECT_EQ(test::render_still(skirt.scene(), render::View::kFront, {256, 320, 3}).error().code,
             "render.settings");
   skirt.positions[9].x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(render::render_still(skirt.scene(), render::View::kFront, kSmall).error().code,
+  EXPECT_EQ(test::render_still(skirt.scene(), render::View::kFront, kSmall).error().code,
             "render.not_finite");
 }
 

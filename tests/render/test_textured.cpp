@@ -9,6 +9,7 @@
 #include "server/render/surface_vertices.h"
 #include "tests/core/image/pictures.h"
 #include "tests/render/draped.h"
+#include "tests/render/one_still.h"
 
 namespace toile {
 namespace {
@@ -60,7 +61,7 @@ std::string row_of(const Sheet& sheet, const render::Image& image, double y) {
 }
 
 render::Image still(const Sheet& sheet) {
-  Result<render::Image> image = render::render_still(sheet.scene(), render::View::kFront, kSize);
+  Result<render::Image> image = test::render_still(sheet.scene(), render::View::kFront, kSize);
   EXPECT_TRUE(image.ok()) << to_string(image.error());
   return image.ok() ? std::move(*image) : render::Image{};
 }
@@ -110,23 +111,21 @@ TEST(TexturedStill, LeavesPanelsWithoutAPictureAsTheyWere) {
   Sheet sheet(image::lay_texture(0, {0, 1}, {}, 0.04, 1, 0), test::squares(64));
   sheet.textures.of_panel = {std::nullopt, sheet.textures.of_panel[0]};
   render::Scene scene = skirt.scene();
-  const render::Image plain = *render::render_still(scene, render::View::kFront, kSize);
+  const render::Image plain = *test::render_still(scene, render::View::kFront, kSize);
   scene.cloth.textures = &sheet.textures;
-  const render::Image half = *render::render_still(scene, render::View::kFront, kSize);
+  const render::Image half = *test::render_still(scene, render::View::kFront, kSize);
   const std::size_t middle = (std::size_t{200} * 400 + 200) * 3;
   for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(plain.rgb[middle + c], half.rgb[middle + c]);
-  EXPECT_NE(plain.rgb, render::render_still(scene, render::View::kBack, kSize)->rgb);
+  EXPECT_NE(plain.rgb, test::render_still(scene, render::View::kBack, kSize)->rgb);
 }
 
 TEST(TexturedStill, RefusesPicturesThatAreNotThere) {
   Sheet sheet(image::lay_texture(3, {0, 1}, {}, 0.04, 1, 0), test::squares());
-  EXPECT_EQ(render::render_still(sheet.scene(), render::View::kFront, kSize).error().code,
-            "render.bad_index");
+  EXPECT_EQ(test::render_still(sheet.scene(), render::View::kFront, kSize).error().code, "render.bad_index");
   image::Picture cut = test::squares();
   cut.rgba.pop_back();
   const Sheet broken(image::lay_texture(0, {0, 1}, {}, 0.04, 1, 0), cut);
-  EXPECT_EQ(render::render_still(broken.scene(), render::View::kFront, kSize).error().code,
-            "render.bad_scene");
+  EXPECT_EQ(test::render_still(broken.scene(), render::View::kFront, kSize).error().code, "render.bad_scene");
 }
 
 TEST(ClothRuns, PutTrianglesOfOnePictureTogether) {

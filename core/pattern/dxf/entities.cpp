@@ -44,13 +44,66 @@ struct Section {
   }
 };
 
+using Failure = std::optional<Error>;
+
+Error not_dxf(int line) {
+  return {"dxf.not_dxf",
+          "This is not a DXF file: it does not begin with a section. Export the pattern as ASCII DXF.",
+          line_text(line)};
+}
+
+/// What the first bytes tell of files that are no text at all.
+Failure foreign(DxfGroupReader& reader) {
+  const std::string_view text = reader.beginning();
+  const std::string way_out = " Export the pattern as ASCII DXF.";
+  if (reader.is_binary()) return std::nullopt;
+  if (text.starts_with("AC10")) return Error{"dxf.not_dxf", "This is a DWG file." + way_out, line_text(1)};
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    return Error{"dxf.not_dxf", "The text is UTF-16; DXF is ASCII or UTF-8." + way_out, line_text(1)};
+  constexpr int kMostZeros = 4;  // a text with a few is a damaged one
+  if (std::count(text.begin(), text.end(), '\0') > kMostZeros || text.starts_with("\x89PNG"))
+    return Error{"dxf.not_dxf", "This is a binary file of another kind." + way_out, line_text(1)};
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos && reader.only_blanks_left() &&
+      !reader.error())
+    return Error{"dxf.empty", "The file is empty.", line_text(1)};
+  return std::nullopt;
+}
+
+/// Says that the file is cut off, and where.
+std::string cut_text(const Section& section) {
+  const std::string inside =
+      section.name.empty() ? ""
+                           : ", within section " + section.name + " that began in " + line_text(section.line);
+  return "the file ends without EOF" + inside;
+}
+
+/// Whether nothing can be missing of an entity behind which the file ends.
+bool is_whole(const DxfDraft& d) {
+  const auto counted = [&](int code, std::size_t there) {
+    return d.numbers.contains(code) && d.number(code) == double(there);
+  };
+  switch (d.type) {
+    case DxfType::kLwPolyline:
+      return counted(90, d.vertices.size()) && !d.awaits_y;
+    case DxfType::kSpline:
+      return counted(73, d.vertices.size()) && counted(72, d.knots.size()) && !d.awaits_y;
+    case DxfType::kPolyline:
+    case DxfType::kVertex:
+      return false;  // SEQEND is missing
+    default:
+      return true;  // what a group is missing of is found out as ever
+  }
+}
+
+/// One pass over the groups. It is one object because what a group means hangs on all before it: the section,
+/// the entity that is under way, what was mended. What needs no more than its arguments stands above.
 class Parser {
  public:
   Parser(std::istream& in, const DxfSettings& settings)
       : reader_(in, settings.max_bytes), settings_(settings), collector_(file_, settings) {}
 
   Result<DxfFile> run() {
-    if (auto error = foreign(reader_.beginning())) return *error;
+    if (auto error = foreign(reader_)) return *error;
     while (!done_) {
       const std::optional<DxfGroup> group = reader_.next();
       tell(reader_.take_damages());
@@ -65,8 +118,6 @@ class Parser {
   }
 
  private:
-  using Failure = std::optional<Error>;
-
   void tell(std::vector<DxfDamage> damages) {
     for (DxfDamage& damage : damages) {
       if (!file_.fault) file_.fault = Error{"dxf.bad_group_code", damage.text, line_text(damage.line)};
@@ -92,28 +143,6 @@ class Parser {
     return group.code == 0 ? start(group) : take(group);
   }
 
-  static Error not_dxf(int line) {
-    return {"dxf.not_dxf",
-            "This is not a DXF file: it does not begin with a section. Export the pattern as ASCII DXF.",
-            line_text(line)};
-  }
-
-  /// What the first bytes tell of files that are no text at all.
-  Failure foreign(std::string_view text) {
-    const std::string way_out = " Export the pattern as ASCII DXF.";
-    if (reader_.is_binary()) return std::nullopt;
-    if (text.starts_with("AC10")) return Error{"dxf.not_dxf", "This is a DWG file." + way_out, line_text(1)};
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-      return Error{"dxf.not_dxf", "The text is UTF-16; DXF is ASCII or UTF-8." + way_out, line_text(1)};
-    constexpr int kMostZeros = 4;  // a text with a few is a damaged one
-    if (std::count(text.begin(), text.end(), '\0') > kMostZeros || text.starts_with("\x89PNG"))
-      return Error{"dxf.not_dxf", "This is a binary file of another kind." + way_out, line_text(1)};
-    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos && reader_.only_blanks_left() &&
-        !reader_.error())
-      return Error{"dxf.empty", "The file is empty.", line_text(1)};
-    return std::nullopt;
-  }
-
   /// The text is at its end without EOF: what stands before is kept, but for an entity that is not whole.
   Failure stopped() {
     const auto& error = reader_.error();
@@ -131,37 +160,12 @@ class Parser {
     }
     if (auto failure = finish_entity()) return failure;
     const bool polyline_cut = collector_.cut_polyline();
-    file_.log.warn(reader_.line(), cut_text() + "; what stands before is read");
+    file_.log.warn(reader_.line(), cut_text(section_) + "; what stands before is read");
     const int last = reader_.line() - (cut ? 1 : 0);
-    Error fault{"dxf.truncated", cut_text() + ": it is cut off. Get a whole copy.",
+    Error fault{"dxf.truncated", cut_text(section_) + ": it is cut off. Get a whole copy.",
                 "last good " + line_text(last)};
     if (!file_.fault || polyline_cut) file_.fault = std::move(fault);
     return std::nullopt;
-  }
-
-  std::string cut_text() const {
-    const std::string inside = section_.name.empty() ? ""
-                                                     : ", within section " + section_.name +
-                                                           " that began in " + line_text(section_.line);
-    return "the file ends without EOF" + inside;
-  }
-
-  /// Whether nothing can be missing of an entity behind which the file ends.
-  static bool is_whole(const DxfDraft& d) {
-    const auto counted = [&](int code, std::size_t there) {
-      return d.numbers.contains(code) && d.number(code) == double(there);
-    };
-    switch (d.type) {
-      case DxfType::kLwPolyline:
-        return counted(90, d.vertices.size()) && !d.awaits_y;
-      case DxfType::kSpline:
-        return counted(73, d.vertices.size()) && counted(72, d.knots.size()) && !d.awaits_y;
-      case DxfType::kPolyline:
-      case DxfType::kVertex:
-        return false;  // SEQEND is missing
-      default:
-        return true;  // what a group is missing of is found out as ever
-    }
   }
 
   Failure start(const DxfGroup& group) {

@@ -94,13 +94,6 @@ Result<pattern::Panel> fitted_panel(const DxfPiece& piece, std::span<const Vec2>
   return panel;
 }
 
-/// Whether the panel's lines cross or touch, or a hole leaves the cloth.
-bool crosses(const pattern::Panel& panel) {
-  const Status status = pattern::validate(panel);
-  return !status &&
-         (status.error().code == "pattern.self_crossing" || status.error().code == "pattern.hole_outside");
-}
-
 /// The edge straight from vertex to vertex of the outline; nothing when its ends are none.
 std::optional<pattern::PanelEdge> straightened(const pattern::PanelEdge& edge,
                                                const std::vector<Vec2>& outline) {
@@ -126,7 +119,7 @@ pattern::Panel without_crossings(const pattern::Panel& panel, const std::vector<
     if (!chords) continue;
     pattern::Panel one = panel;
     one.outline.edges[i] = *chords;
-    if (!crosses(one)) return one;
+    if (!pattern::has_crossing_lines(one)) return one;
     all.outline.edges[i] = *chords;
   }
   return all;
@@ -142,11 +135,11 @@ Result<pattern::Panel> panel_from_piece(const DxfPiece& piece, std::span<const V
   // Lines that part at an angle of a degree or two, or run side by side within the tolerance, do not cross in
   // the drawing; their curves may.
   pattern::OutlineSettings closer = settings;
-  for (int i = 0; i < kMostTries && crosses(panel); ++i) {
+  for (int i = 0; i < kMostTries && pattern::has_crossing_lines(panel); ++i) {
     closer.fit_tolerance_mm *= kCloser;
     panel = TRY(fitted_panel(piece, forced_corners, closer));
   }
-  return crosses(panel) ? without_crossings(panel, piece.outline) : panel;
+  return pattern::has_crossing_lines(panel) ? without_crossings(panel, piece.outline) : panel;
 }
 
 }  // namespace toile::dxf

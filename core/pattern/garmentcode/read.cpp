@@ -13,6 +13,8 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/garmentcode/curves.h"
 #include "core/pattern/garmentcode/trim.h"
+#include "core/pattern/garmentcode/turns.h"
+#include "core/pattern/garmentcode/values.h"
 #include "core/pattern/validate.h"
 
 namespace toile::garmentcode {
@@ -23,63 +25,6 @@ constexpr std::size_t kMostPanels = 1000;
 constexpr std::size_t kMostEdges = 10000;  // of a panel
 constexpr std::size_t kMostStitches = 1000;
 constexpr double kLeastLengthMm = 1e-3;
-
-/// A value with its place, so that every error can name it.
-struct Place {
-  const json::JsonValue* value = nullptr;
-  std::string pointer;
-
-  Place at(std::size_t i) const { return {&(*value->array())[i], json::pointer_to(pointer, i)}; }
-  /// The member of that name; its value is null when it is not there.
-  Place find(std::string_view key) const { return {value->find(key), json::pointer_to(pointer, key)}; }
-};
-
-Error wrong_type(const Place& place, const char* wanted) {
-  if (place.value == nullptr)
-    return {"garmentcode.missing", std::string(wanted) + " is missing", place.pointer};
-  return {"garmentcode.type", std::string("this should be ") + wanted, place.pointer};
-}
-
-Result<Place> object(const Place& place, const char* what) {
-  if (place.value == nullptr || !place.value->object()) return wrong_type(place, what);
-  return place;
-}
-
-/// A list of `least` to `most` elements.
-Result<Place> list(const Place& place, const char* what, std::size_t least, std::size_t most) {
-  if (place.value == nullptr || !place.value->array()) return wrong_type(place, what);
-  const std::size_t size = place.value->array()->size();
-  if (size >= least && size <= most) return place;
-  return Error{"garmentcode.range", std::string(what) + " has " + std::to_string(size) + " elements",
-               place.pointer};
-}
-
-Result<double> number(const Place& place, const char* what) {
-  const double* value = place.value == nullptr ? nullptr : place.value->number();
-  if (value == nullptr) return wrong_type(place, what);
-  if (!std::isfinite(*value) || std::abs(*value) > 1e9)
-    return Error{"garmentcode.range", std::string(what) + " is out of all proportion", place.pointer};
-  return *value;
-}
-
-/// A whole number from 0 up to but not including `end`.
-Result<std::size_t> index(const Place& place, const char* what, std::size_t end) {
-  const double value = TRY(number(place, what));
-  if (value != std::floor(value) || value < 0 || value >= static_cast<double>(end))
-    return Error{"garmentcode.reference", std::string("there is no such ") + what, place.pointer};
-  return static_cast<std::size_t>(value);
-}
-
-template <std::size_t N>
-Result<std::array<double, N>> numbers(const Place& place, const char* what) {
-  TRY(list(place, what, N, N));
-  std::array<double, N> values{};
-  for (std::size_t i = 0; i < N; ++i) {
-    const double value = TRY(number(place.at(i), what));
-    values[i] = value;
-  }
-  return values;
-}
 
 /// What properties say about the file's figures.
 struct Conventions {
@@ -221,48 +166,6 @@ void mirror_x(pattern::Loop& loop) {
   for (pattern::PanelEdge& edge : loop.edges)
     for (pattern::CubicBezier& c : edge.curves)
       for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) p->x = -p->x;
-}
-
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-/// The rotation about axis k by `degrees`; right angles exactly.
-Matrix rotation_about(std::size_t k, double degrees) {
-  const double quarter = std::remainder(degrees, 360) / 90;
-  double c = std::cos(quarter * (kPi / 2)), s = std::sin(quarter * (kPi / 2));
-  if (quarter == std::round(quarter)) {
-    c = std::round(c);
-    s = std::round(s);
-  }
-  const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-  Matrix m{};
-  m[k][k] = 1;
-  m[i][i] = c;
-  m[i][j] = -s;
-  m[j][i] = s;
-  m[j][j] = c;
-  return m;
-}
-
-Matrix times(const Matrix& a, const Matrix& b) {
-  Matrix m{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) m[i][j] += a[i][k] * b[k][j];
-  return m;
-}
-
-/// Degrees about the fixed axes x, then y, then z, which a project counts in, of a turn about x, then the
-/// turned y, then the turned z, which the file counts in.
-Vec3 fixed_angles(const std::array<double, 3>& own) {
-  const Matrix r =
-      times(times(rotation_about(0, own[0]), rotation_about(1, own[1])), rotation_about(2, own[2]));
-  const double across = std::sqrt(r[0][0] * r[0][0] + r[1][0] * r[1][0]);
-  const double y = std::atan2(-r[2][0], across);
-  // Looking along ±x after the turn about y, turns about x and z are one: all of it is given to x.
-  const bool locked = across < 1e-9;
-  const double x = locked ? std::atan2(-r[1][2], r[1][1]) : std::atan2(r[2][1], r[2][2]);
-  const double z = locked ? 0 : std::atan2(r[1][0], r[0][0]);
-  return {degrees_from_radians(x), degrees_from_radians(y), degrees_from_radians(z)};
 }
 
 Result<GarmentCodePlace> placement_of(const Place& panel, const Conventions& conventions) {

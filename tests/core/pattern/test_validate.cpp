@@ -98,6 +98,24 @@ TEST(Validate, AnOutlineThatCrossesItselfIsPlaced) {
   EXPECT_EQ(e.where, "piece back, edge e1");
 }
 
+TEST(Validate, TellsLinesThatCrossFromOtherFaults) {
+  const pattern::Panel whole = two_squares().panels[0];
+  EXPECT_FALSE(pattern::has_crossing_lines(whole));
+  pattern::Panel crossed = whole;
+  crossed.holes[0] = hole_at({95, 20}, "h0");
+  EXPECT_TRUE(pattern::has_crossing_lines(crossed));
+  pattern::Panel outside = whole;
+  outside.holes[0] = hole_at({500, 20}, "h0");
+  EXPECT_TRUE(pattern::has_crossing_lines(outside));
+  crossed.grain = {2, 0};
+  EXPECT_FALSE(pattern::has_crossing_lines(crossed)) << "the grain is told first";
+  pattern::Panel flat = whole;
+  flat.holes.clear();
+  flat.outline.edges = {{"e0", {pattern::line_segment({0, 0}, {9, 0})}},
+                        {"e1", {pattern::line_segment({9, 0}, {0, 0})}}};
+  EXPECT_FALSE(pattern::has_crossing_lines(flat)) << "that it has no area says more";
+}
+
 TEST(Validate, APieceWithoutAreaIsRefused) {
   const Error e = broken([](pattern::Pattern& p) {
     p.panels[0].holes.clear();

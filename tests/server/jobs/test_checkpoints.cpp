@@ -13,6 +13,8 @@ namespace {
 using test::cloth_over_block;
 using test::kOwner;
 
+constexpr double kNever = 1e6, kOften = 0.01;  // s
+
 class JobCheckpoints : public test::JobHouse {
  protected:
   void house(int workers, double checkpoint_every_s) {
@@ -41,6 +43,16 @@ class JobCheckpoints : public test::JobHouse {
     ASSERT_TRUE(store.put_checkpoint(kOwner, id, kept.bytes).ok());
   }
 
+  /// A drape to its end, cut off by a crash once it had checkpoints.
+  void drape_through_a_crash(std::string& id) {
+    house(1, kOften);
+    id = submit(cloth_over_block(200, 6));
+    ASSERT_TRUE(wait_for_checkpoints(3));
+    crash(id);
+    house(1, kNever);
+    ASSERT_TRUE(publisher.wait_for_end(id, 2));
+  }
+
   static int resumed_in(const store::JobRow& job) {
     return static_cast<int>(*json::parse_json(job.report).value().find("resumed")->number());
   }
@@ -54,15 +66,9 @@ class JobCheckpoints : public test::JobHouse {
   }
 };
 
-constexpr double kNever = 1e6, kOften = 0.01;  // s
-
 TEST_F(JobCheckpoints, AfterACrashADrapeGoesOnFromTheNewestToTheSameBytes) {
-  house(1, kOften);
-  const std::string id = submit(cloth_over_block(200, 6));
-  ASSERT_TRUE(wait_for_checkpoints(3));
-  crash(id);
-  house(1, kNever);
-  ASSERT_TRUE(publisher.wait_for_end(id, 2));
+  std::string id;
+  ASSERT_NO_FATAL_FAILURE(drape_through_a_crash(id));
   const store::JobRow job = row(id);
   EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
   EXPECT_EQ(hash_in(job), hash_of_alone(job));
@@ -75,12 +81,8 @@ TEST_F(JobCheckpoints, AfterACrashADrapeGoesOnFromTheNewestToTheSameBytes) {
 }
 
 TEST_F(JobCheckpoints, AFilmOfADrapeThatWentOnIsThatOfAWholeOne) {
-  house(1, kOften);
-  const std::string id = submit(cloth_over_block(200, 6));
-  ASSERT_TRUE(wait_for_checkpoints(3));
-  crash(id);
-  house(1, kNever);
-  ASSERT_TRUE(publisher.wait_for_end(id, 2));
+  std::string id;
+  ASSERT_NO_FATAL_FAILURE(drape_through_a_crash(id));
   ASSERT_EQ(resumed_in(row(id)), 1);
   jobs::JobWish wish;
   wish.anew = true;

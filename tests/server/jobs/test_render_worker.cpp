@@ -14,9 +14,11 @@ TEST(RenderWorker, RunsAllDrawingsOnOneThreadThatIsNotTheCallers) {
   jobs::RenderWorker worker;
   std::thread::id seen[2];
   for (std::thread::id& id : seen) {
-    EXPECT_TRUE(
-        worker.draw([&id](const RunContext&) { return id = std::this_thread::get_id(), Status(); }, never)
-            .ok());
+    EXPECT_TRUE(worker
+                    .draw([&id](render::Stills&,
+                                const RunContext&) { return id = std::this_thread::get_id(), Status(); },
+                          never)
+                    .ok());
   }
   EXPECT_EQ(seen[0], seen[1]);
   EXPECT_NE(seen[0], std::this_thread::get_id());
@@ -25,7 +27,7 @@ TEST(RenderWorker, RunsAllDrawingsOnOneThreadThatIsNotTheCallers) {
 TEST(RenderWorker, GivesBackWhatTheDrawingGives) {
   jobs::RenderWorker worker;
   const Status status = worker.draw(
-      [](const RunContext&) {
+      [](render::Stills&, const RunContext&) {
         return Status(Error{"render.failed", "no paint", ""});
       },
       never);
@@ -37,16 +39,19 @@ TEST(RenderWorker, ThrowsAtTheCallerWhatTheDrawingThrowsAndDrawsOn) {
   jobs::RenderWorker worker;
   EXPECT_THROW(
       static_cast<void>(
-          worker.draw([](const RunContext&) -> Status { throw std::runtime_error("torn"); }, never).ok()),
+          worker
+              .draw([](render::Stills&, const RunContext&) -> Status { throw std::runtime_error("torn"); },
+                    never)
+              .ok()),
       std::runtime_error);
-  EXPECT_TRUE(worker.draw([](const RunContext&) { return Status(); }, never).ok());
+  EXPECT_TRUE(worker.draw([](render::Stills&, const RunContext&) { return Status(); }, never).ok());
 }
 
 TEST(RenderWorker, DoesNotWaitForADrawingThatIsGivenUp) {
   std::latch go(1);
   jobs::RenderWorker worker;
   const Status status = worker.draw(
-      [&](const RunContext&) {
+      [&](render::Stills&, const RunContext&) {
         go.wait();
         return Status();
       },
@@ -60,7 +65,7 @@ TEST(RenderWorker, TellsADrawingThatItIsGivenUp) {
   std::latch begun(1), seen(1);
   jobs::RenderWorker worker;
   const Status status = worker.draw(
-      [&](const RunContext& context) {
+      [&](render::Stills&, const RunContext& context) {
         begun.count_down();
         while (!context.cancelled()) std::this_thread::yield();
         seen.count_down();
@@ -90,7 +95,7 @@ TEST(RenderWorker, TellsTheLogWhatADrawingThrowsThatWasGivenUp) {
   std::latch begun(1);
   jobs::RenderWorker worker;
   const Status status = worker.draw(
-      [&](const RunContext& context) -> Status {
+      [&](render::Stills&, const RunContext& context) -> Status {
         begun.count_down();
         while (!context.cancelled()) std::this_thread::yield();
         throw std::runtime_error("torn");
@@ -106,13 +111,18 @@ TEST(RenderWorker, RefusesMoreThanItsQueueHolds) {
   jobs::RenderWorker worker(1);
   std::jthread first([&] {
     EXPECT_TRUE(
-        worker.draw([&](const RunContext&) { return begun.count_down(), go.wait(), Status(); }, never).ok());
+        worker
+            .draw([&](render::Stills&, const RunContext&) { return begun.count_down(), go.wait(), Status(); },
+                  never)
+            .ok());
   });
   begun.wait();
-  EXPECT_EQ(worker.draw([](const RunContext&) { return Status(); }, [] { return true; }).error().code,
+  EXPECT_EQ(worker.draw([](render::Stills&, const RunContext&) { return Status(); }, [] { return true; })
+                .error()
+                .code,
             "render.given_up")
       << "it stands in the queue still";
-  const Status refused = worker.draw([](const RunContext&) { return Status(); }, never);
+  const Status refused = worker.draw([](render::Stills&, const RunContext&) { return Status(); }, never);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, "render.busy");
   go.count_down();

@@ -191,6 +191,19 @@ TEST_F(Jobs, APausedDrapeFreesItsWorkerAndEndsAsIfNothingHadHappened) {
   EXPECT_EQ(hash_in(job), hash_of_alone(job));
 }
 
+TEST_F(Jobs, APausedDrapesRowTellsAllWorkOnceItIsToldPaused) {
+  make(1);
+  ASSERT_TRUE(service->start().ok());
+  const std::string id = submit(cloth_over_block(200, kEndless));
+  ASSERT_TRUE(publisher.wait_for_frames(id, 3));
+  ASSERT_TRUE(service->pause(kOwner, id).ok());
+  ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kPaused));
+  double spent = 0;
+  for (const auto& [phase, seconds] : service->counts().work_s) spent += seconds;
+  EXPECT_GT(spent, 0);
+  EXPECT_NEAR(static_cast<double>(row(id).worked_ms), 1000 * spent, 1) << "and no heartbeat came";
+}
+
 TEST_F(Jobs, AResumedDrapeGoesBeforeThoseThatWait) {
   make(1);
   ASSERT_TRUE(service->start().ok());
