@@ -40,8 +40,12 @@ export async function openPage(browser, url, options = {}) {
       page.complaints.push(message.text());
   });
   await page.goto(url);
+  await begun(page);
   return page;
 }
+
+/** Until the page's own code has run: what it begins with is fetched after the document has come. */
+const begun = (page) => page.waitForFunction(() => window.__toile !== undefined, undefined, { polling: 50 });
 
 export const shoot = (page, name) => page.screenshot({ path: join(pictures, `${name}.png`) });
 
@@ -58,8 +62,10 @@ export async function shootAll(browser) {
 export const ask = (page, name) => page.evaluate((key) => window.__toile[key](), name);
 
 /** Until a function of the page gives something true. */
-export const waitFor = (page, condition, argument = undefined) =>
-  page.waitForFunction(condition, argument, { polling: 50 });
+export const waitFor = async (page, condition, argument = undefined) => {
+  await begun(page);
+  return page.waitForFunction(condition, argument, { polling: 50 });
+};
 
 export const waitForState = (page, state) => waitFor(page, (wanted) => window.__toile.job()?.state === wanted, state);
 
