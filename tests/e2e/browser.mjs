@@ -40,7 +40,7 @@ export async function openPage(browser, url, options = {}) {
       page.complaints.push(message.text());
   });
   await page.goto(url);
-  await begun(page);
+  if (!page.url().startsWith('about:')) await begun(page);
   return page;
 }
 
@@ -63,7 +63,7 @@ export const ask = (page, name) => page.evaluate((key) => window.__toile[key](),
 
 /** Until a function of the page gives something true. */
 export const waitFor = async (page, condition, argument = undefined) => {
-  await begun(page);
+  if (!page.url().startsWith('about:')) await begun(page);
   return page.waitForFunction(condition, argument, { polling: 50 });
 };
 
