@@ -45,21 +45,34 @@ AxisGuard::AxisGuard(std::vector<std::array<Vec3, 2>> axes, std::span<const Tri>
                      std::span<const Vec3> x)
     : axes_(std::move(axes)), triangles_(triangles), crossed_(crossed_at(x)) {}
 
+bool AxisGuard::is_crossed(std::size_t triangle, std::span<const Vec3> x) const {
+  const Tri& t = triangles_[triangle];
+  const Vec3 a = x[t[0]], b = x[t[1]], c = x[t[2]];
+  const Vec3 low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
+  const Vec3 high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})};
+  return std::any_of(axes_.begin(), axes_.end(), [&](const std::array<Vec3, 2>& axis) {
+    return !apart(axis, low, high) && goes_through(axis, a, b, c);
+  });
+}
+
 std::vector<bool> AxisGuard::crossed_at(std::span<const Vec3> x) const {
   std::vector<bool> crossed(triangles_.size(), false);
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const Vec3 a = x[triangles_[t][0]], b = x[triangles_[t][1]], c = x[triangles_[t][2]];
-    const Vec3 low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
-    const Vec3 high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})};
-    crossed[t] = std::any_of(axes_.begin(), axes_.end(), [&](const std::array<Vec3, 2>& axis) {
-      return !apart(axis, low, high) && goes_through(axis, a, b, c);
-    });
-  }
+  for (std::size_t t = 0; t < triangles_.size(); ++t) crossed[t] = is_crossed(t, x);
   return crossed;
 }
 
 void AxisGuard::keep(std::span<const Vec3> before, std::vector<Vec3>& x) {
-  std::vector<bool> now = crossed_at(x);
+  // Where untangling moves a few vertices of many, the others need no look.
+  std::vector<bool> moved(x.size());
+  for (std::size_t v = 0; v < x.size(); ++v) moved[v] = !(x[v] == before[v]);
+  std::vector<bool> now = crossed_;
+  const auto look = [&] {
+    for (std::size_t t = 0; t < now.size(); ++t) {
+      const Tri& corners = triangles_[t];
+      if (moved[corners[0]] || moved[corners[1]] || moved[corners[2]]) now[t] = is_crossed(t, x);
+    }
+  };
+  look();
   for (int round = 0; round < kRounds; ++round) {
     bool taken_back = false;
     for (std::size_t t = 0; t < now.size(); ++t) {
@@ -68,7 +81,7 @@ void AxisGuard::keep(std::span<const Vec3> before, std::vector<Vec3>& x) {
       taken_back = true;
     }
     if (!taken_back) break;
-    now = crossed_at(x);
+    look();
   }
   crossed_ = std::move(now);
 }

@@ -22,6 +22,7 @@ class AxisGuard {
   void keep(std::span<const Vec3> before, std::vector<Vec3>& x);
 
  private:
+  bool is_crossed(std::size_t triangle, std::span<const Vec3> x) const;
   std::vector<bool> crossed_at(std::span<const Vec3> x) const;
 
   std::vector<std::array<Vec3, 2>> axes_;

@@ -206,29 +206,37 @@ bool come_back(const Wearer& wearer, const DressingWay& way, const RunContext& c
                Sewn& sewn) {
   const SlimFigure whole = wearer.slim(0);
   const collision::Surface surface = collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count);
-  const auto pass = [&](std::vector<Vec3>& x, double least, double bending) {
+  AxisGuard guard(axes_of(wearer.skeleton()), sewn.mesh.triangles, sewn.x);
+  const auto pass = [&](std::vector<Vec3>& x, AxisGuard& of_x, double least, double bending) {
     ShapeSolver solver(sewn.mesh, {}, {least, 1.02, bending, 0, 0.05, 0});
-    for (int i = 0; i < kSpreading; ++i) solver.pass(x, {}, &whole);
+    for (int i = 0; i < kSpreading; ++i) {
+      const std::vector<Vec3> before = x;
+      solver.pass(x, {}, &whole);
+      of_x.keep(before, x);
+    }
     effort.spend(sewn.mesh.vertex_count, kSpreading);
   };
   // What is caught in a fold comes free as the fold is smoothed.
-  const auto parted = [&](std::vector<Vec3>& x, double least) {
+  const auto parted = [&](std::vector<Vec3>& x, AxisGuard& of_x, double least) {
     for (int round = 0;; ++round) {
-      const Untangled u = untangle(surface, whole, wearer.crossing(), sewn.mesh.spacing, kUntangling, x);
+      const Untangled u =
+          untangle(surface, whole, wearer.crossing(), sewn.mesh.spacing, kUntangling, x, &of_x);
       effort.spend(sewn.mesh.vertex_count, kLook * (1 + u.passes));
       if (u.left.none()) return true;
       if (round == kSmoothings || effort.spent() || context.cancelled()) return false;
-      pass(x, least, kSmooth);
+      pass(x, of_x, least, kSmooth);
     }
   };
-  if (!parted(sewn.x, way.least_stretch)) return false;
+  if (!parted(sewn.x, guard, way.least_stretch)) return false;
   for (const double wanted : kComingBack) {
     if (effort.spent() || context.cancelled()) return true;
     const double least = std::max(wanted, way.least_stretch);
     std::vector<Vec3> x = sewn.x;
-    pass(x, least, 0.5 * way.bending);
-    if (!parted(x, least)) return true;
+    AxisGuard of_x = guard;
+    pass(x, of_x, least, 0.5 * way.bending);
+    if (!parted(x, of_x, least)) return true;
     sewn.x = std::move(x);
+    guard = std::move(of_x);
   }
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace toile::dressing {
@@ -59,6 +60,7 @@ class Untangler {
     smooth(tangled);
     for (const Index v : tangled) x_[v] = figure.moved_out(x_[v], kMost * spacing_);
     for (const Index v : pierced) x_[v] += figure.field->outwards(x_[v], figure.slim) * kOut;
+    lift_off(figure);
   }
 
  private:
@@ -97,6 +99,31 @@ class Untangler {
     }
   }
 
+  /// What spans a shoulder has its corners off the skin before and behind it, and its middle within: it goes
+  /// out as a whole, where its middle does.
+  void lift_off(const SlimFigure& figure) {
+    std::map<Index, Vec3> ways;  // the longest at each vertex
+    for (const auto& pair : with_body_) {
+      const Tri& t = cloth_.triangles[pair[0]];
+      const Vec3 a = x_[t[0]], b = x_[t[1]], c = x_[t[2]];
+      Vec3 deepest = (a + b + c) * (1.0 / 3);
+      double distance = figure.field->distance(deepest, figure.slim);
+      for (const Vec3 p : {(a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5}) {
+        const double here = figure.field->distance(p, figure.slim);
+        if (here < distance) deepest = p;
+        distance = std::min(distance, here);
+      }
+      if (distance >= 0) continue;
+      const Vec3 way =
+          figure.field->outwards(deepest, figure.slim) * std::min(kOut - distance, kMost * spacing_);
+      for (const Index v : t) {
+        Vec3& longest = ways[v];
+        if (length(way) > length(longest)) longest = way;
+      }
+    }
+    for (const auto& [v, way] : ways) x_[v] += way;
+  }
+
   void smooth(const std::set<Index>& vertices) {
     std::vector<Vec3> moved;
     moved.reserve(vertices.size());
@@ -122,14 +149,17 @@ class Untangler {
 }  // namespace
 
 Untangled untangle(const collision::Surface& cloth, const SlimFigure& figure,
-                   const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x) {
+                   const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x,
+                   AxisGuard* guard) {
   Untangler untangler(cloth, spacing, x);
   Tangle left = untangler.look(body);
   int before = left.cloth_body + left.cloth_cloth;
   int taken = 0;
   for (int i = 0; i < passes && !left.none(); ++i) {
     ++taken;
+    const std::vector<Vec3> were = x;
     untangler.pass(figure);
+    if (guard) guard->keep(were, x);
     left = untangler.look(body);
     if ((i + 1) % kPatience != 0) continue;
     const int now = left.cloth_body + left.cloth_cloth;

@@ -7,6 +7,7 @@
 
 #include "core/collision/crossings.h"
 #include "core/collision/surface.h"
+#include "core/dressing/axis_guard.h"
 #include "core/dressing/figure.h"
 
 namespace toile::dressing {
@@ -25,8 +26,10 @@ struct Untangled {
 /// Shortens the lines in which cloth crosses itself until none is left (Volino and Magnenat-Thalmann,
 /// "Resolving surface collisions through intersection contour minimization", 2006), smooths the cloth there,
 /// and moves what crosses the body outwards. At most `passes` times; `spacing` is the mean edge, m. Gives
-/// back what is left.
+/// back what is left. What is parted so may not go through a limb: a strap in the skin would leave it on the
+/// wrong side of the shoulder. `guard`, if there is one, must be of `x`.
 Untangled untangle(const collision::Surface& cloth, const SlimFigure& figure,
-                   const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x);
+                   const collision::CrossingBody& body, double spacing, int passes, std::vector<Vec3>& x,
+                   AxisGuard* guard = nullptr);
 
 }  // namespace toile::dressing

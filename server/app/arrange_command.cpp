@@ -5,7 +5,7 @@
 #include "core/arrange/arrange.h"
 #include "core/base/units.h"
 #include "core/base/write_file.h"
-#include "core/drape/fit_start.h"
+#include "core/drape/drape_start.h"
 #include "core/drape/worn_part.h"
 #include "core/json/tree.h"
 #include "core/project/create/places.h"
@@ -34,16 +34,19 @@ void print_arrangement(const arrange::Arrangement& made, const std::string& file
   std::printf("%s\n", file.c_str());
 }
 
-/// Why no drape would begin from there: what the look at the start refuses, unless the garment can be put on
-/// the body all the same.
+/// Why no drape would begin from there: what the look at the start refuses. Where a garment is put on a
+/// person (core/drape/drape_start.h), the drape sees to what is wrong with where its pieces stand: that is
+/// told, and tried there, once.
 std::optional<Error> still_refused(const arrange::Arrangement& made, drape::DrapeInput& input) {
-  std::optional<Error> refused = preflight::first_error(made.findings);
-  if (!refused) return std::nullopt;
+  if (!preflight::first_error(made.findings)) return std::nullopt;
   input.placements = made.placements;
   const drape::DrapeInput worn = drape::worn_part(input);
   Result<drape::DrapeStart> start = drape::prepare_start(worn, {});
   if (!start) return start.error();
-  drape::fit_start(worn, *start, {});
+  if (drape::may_put_on(worn, *start))
+    std::erase_if(start->findings, [](const preflight::Finding& f) {
+      return preflight::traits_of(f.kind).cause == preflight::Cause::kPlacement;
+    });
   return preflight::first_error(start->findings);
 }
 

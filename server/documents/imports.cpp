@@ -122,26 +122,14 @@ create::NewProjectSettings project_of(const store::AssetRow& asset) {
   return settings;
 }
 
-/// Pieces that cannot be cut are left out: the report tells of each.
-dxf::DxfDrawing without_faults(dxf::DxfDrawing drawing) {
-  std::erase_if(drawing.pieces, [](const dxf::DxfPiece& piece) {
-    const Result<pattern::Panel> panel = dxf::panel_from_piece(piece);
-    return !panel || !pattern::validate(*panel);
-  });
-  return drawing;
-}
-
 Result<json::JsonValue> import_dxf(const std::string& bytes, const ImportWishes& wishes,
                                    const store::AssetRow& asset) {
   const dxf::DxfSettings settings = TRY(settings_of(wishes));
   const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(bytes, settings);
   if (!drawing) return json::error_at(clipped(asset.name), drawing.error());
   std::optional<create::NewProject> made;
-  const dxf::DxfDrawing good = without_faults(*drawing);
-  if (!good.pieces.empty()) {
-    if (Result<create::NewProject> project = create::new_project(good, project_of(asset)); project)
-      made = *project;
-  }
+  if (Result<create::NewProject> project = create::new_project(*drawing, project_of(asset)); project)
+    made = std::move(*project);  // else the report tells of each piece that cannot be cut
   std::vector<Pictured> pictures;
   for (const dxf::DxfPiece& piece : drawing->pieces)
     pictures.push_back({dxf::panel_from_piece(piece), source_of(piece, *drawing, asset.name)});

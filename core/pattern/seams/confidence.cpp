@@ -136,6 +136,33 @@ double rival_share(const FoundSeams& found, const FoundSeam& seam) {
   return 1;
 }
 
+/// Whether the seam joins the two halves of a front, or of a back, as their names tell them, or two pieces of
+/// a bodice that mirror each other, by the same edge of both. Halves need not be alike.
+bool joins_halves(const SeamModel& m, const FoundSeam& seam) {
+  if (seam.a.size() != 1 || seam.b.size() != 1) return false;
+  const Index p = m.runs[seam.a[0]].panel, q = m.runs[seam.b[0]].panel;
+  const PieceWords &x = m.words[p], &y = m.words[q];
+  if (p == q || x.kind != PieceKind::kTorso || y.kind != PieceKind::kTorso) return false;
+  return m.mirror[seam.a[0]] == seam.b[0] || (x.side * y.side < 0 && x.face * y.face > 0);
+}
+
+/// Halves of a bodice meet in its middle, which runs along the grain, up to the neck: what they would be sewn
+/// along from there, aslant, is the neck itself, which has to stay open for a head.
+double neck_share(const FoundSeams& found, const FoundSeam& seam) {
+  const SeamModel& m = found.model;
+  const auto upright = [&](const FoundSeam& halves) {
+    const SeamRun& run = m.runs[halves.a[0]];
+    const double rise = std::abs(dot(normalized(run.at.back() - run.at.front()), m.up[run.panel]));
+    return rise > kPairWeights.twin_straight_rise;
+  };
+  if (!joins_halves(m, seam) || upright(seam)) return 1;
+  const bool neck = std::any_of(found.seams.begin(), found.seams.end(), [&](const FoundSeam& other) {
+    return joins_halves(m, other) && upright(other) &&
+           (are_neighbours(m, seam.a[0], other.a[0]) || are_neighbours(m, seam.a[0], other.b[0]));
+  });
+  return neck ? kWeights.beside_middle : 1;
+}
+
 /// Gores go around what they hang from, and nothing says how far they are turned.
 double gores_share(const FoundSeams& found, const FoundSeam& seam) {
   const SeamModel& m = found.model;
@@ -158,7 +185,7 @@ void share_margins(FoundSeams& found) {
 
 double confidence_of(const FoundSeams& found, const FoundSeam& seam, double a, double b) {
   return chance_of(seam.margin, a, b) * layer_share(found, seam) * collar_share(found, seam) *
-         rival_share(found, seam) * gores_share(found, seam);
+         rival_share(found, seam) * gores_share(found, seam) * neck_share(found, seam);
 }
 
 double belief_in(const FoundSeams& found, bool sides_known) {

@@ -105,17 +105,39 @@ void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int
   }
 }
 
-/// The drawing's pieces as they lie in it.
-Result<std::vector<pattern::Panel>> panels_of(const dxf::DxfDrawing& drawing) {
-  std::vector<pattern::Panel> panels;
+/// A drawing's pieces as they lie in it, those that can be cut.
+struct CutPieces {
+  dxf::DxfDrawing drawing;             ///< without the others
+  std::vector<pattern::Panel> panels;  ///< one a piece of it
+};
+
+Result<pattern::Panel> panel_of(const dxf::DxfPiece& drawn) {
+  pattern::Panel panel = TRY(dxf::panel_from_piece(drawn));
+  panel.id = drawn.name;
+  if (drawn.grain) panel.grain = *drawn.grain;
+  TRY(pattern::validate(panel));
+  return panel;
+}
+
+/// What cannot be cut is left out with a note, as long as anything is left: one bad outline of many must not
+/// keep the garment from being made. Error: that of the first, where none can be cut.
+Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
+  CutPieces cut{drawing, {}};
+  cut.drawing.pieces.clear();
+  std::optional<Error> first;
   for (const dxf::DxfPiece& drawn : drawing.pieces) {
-    pattern::Panel panel = TRY(dxf::panel_from_piece(drawn));
-    panel.id = drawn.name;
-    if (drawn.grain) panel.grain = *drawn.grain;
-    TRY(pattern::validate(panel));
-    panels.push_back(std::move(panel));
+    Result<pattern::Panel> panel = panel_of(drawn);
+    if (!panel) {
+      if (!first) first = panel.error();
+      cut.drawing.notes.push_back("piece " + in_quotes(drawn.name) +
+                                  " cannot be cut and is left out: " + to_string(panel.error()));
+      continue;
+    }
+    cut.drawing.pieces.push_back(drawn);
+    cut.panels.push_back(std::move(*panel));
   }
-  return panels;
+  if (first && cut.panels.empty()) return *first;
+  return cut;
 }
 
 Aabb2 box_of(const pattern::Panel& panel) { return bounding_box(pattern::flatten(panel.outline, 1)); }
@@ -149,11 +171,13 @@ void stand_in_rows(const NewProjectSettings& settings, NewProject& made) {
   }
 }
 
-Status take_dxf(const dxf::DxfDrawing& drawing, const NewProjectSettings& settings, NewProject& made,
+Status take_dxf(const dxf::DxfDrawing& given, const NewProjectSettings& settings, NewProject& made,
                 std::vector<char>& clockwise) {
   constexpr int kMostCopies = 20;
   std::set<std::string> used;
-  const std::vector<pattern::Panel> panels = TRY(panels_of(drawing));
+  const CutPieces cut = TRY(cut_pieces(given));
+  const dxf::DxfDrawing& drawing = cut.drawing;
+  const std::vector<pattern::Panel>& panels = cut.panels;
   const std::vector<char> halves = forgotten_halves(drawing, panels);
   made.notes = drawing.notes;
   for (std::size_t p = 0; p < panels.size(); ++p) {

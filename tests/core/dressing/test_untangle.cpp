@@ -45,6 +45,50 @@ TEST(Untangle, ASheetThatPokesThroughAnotherIsDrawnBack) {
   EXPECT_TRUE(collision::self_crossings(surface, x).empty());
 }
 
+/// A strap of two triangles over the left shoulder, whose ends lie before and behind it and whose middle is
+/// 15 mm under its ridge.
+struct SunkStrap {
+  std::vector<Vec3> x;
+  std::vector<Tri> triangles{{0, 1, 2}, {2, 1, 3}};
+  double ridge = 0;
+
+  SunkStrap() {
+    const measure::BodyFigure& f = test::person().figure;
+    const double at = (f.neck_side[0].x + f.shoulder[0].x) / 2;
+    const auto bare = [&](Vec3 p) { return wearer().slim(0).field->distance(p) > 5e-3; };
+    double middle = 0, most = 0;
+    for (double z = -0.1; z < 0.1; z += 5e-3) {  // where the shoulder is highest
+      Vec3 p{at, f.chin + 0.1, z};
+      while (!bare(p)) p.x += 1e-3;
+      while (bare(p)) p.y -= 1e-3;
+      if (p.y <= most) continue;
+      most = p.y;
+      middle = z;
+    }
+    ridge = most;
+    for (const double side : {1.0, -1.0}) {
+      for (const double aside : {0.0, 0.015}) {
+        Vec3 end{at + aside, ridge - 0.02, middle};
+        while (!bare(end)) end.z += 1e-3 * side;
+        x.push_back(end);
+      }
+    }
+  }
+};
+
+TEST(Untangle, AStrapThatSpansAShoulderUnderItsRidgeIsLiftedOverIt) {
+  SunkStrap strap;
+  const auto surface = collision::make_surface(strap.triangles, 4);
+  ASSERT_FALSE(collision::body_crossings(surface, strap.x, wearer().crossing()).empty());
+  dressing::AxisGuard guard(dressing::axes_of(wearer().skeleton()), strap.triangles, strap.x);
+  const auto left =
+      dressing::untangle(surface, wearer().slim(0), wearer().crossing(), 0.03, 100, strap.x, &guard).left;
+  EXPECT_TRUE(left.none()) << left.cloth_body;
+  const Vec3 middle = (strap.x[0] + strap.x[1] + strap.x[2] + strap.x[3]) * 0.25;
+  EXPECT_GT(wearer().slim(0).field->distance(middle), 0);
+  EXPECT_GT(middle.y, strap.ridge - 0.012) << "over the shoulder, not off it";
+}
+
 TEST(Untangle, ClothInTheSkinComesOut) {
   const measure::BodyFigure& f = test::person().figure;
   std::vector<Vec3> x;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/pattern/seams/confidence.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/seams/propose.h"
 #include "core/pattern/validate.h"
@@ -263,6 +264,39 @@ TEST(PieceWords, TellKindsOfPieces) {
   EXPECT_EQ(seams::hangs_from(PieceKind::kTorso, PieceKind::kSkirt), -1);
   EXPECT_EQ(seams::hangs_from(PieceKind::kSkirt, PieceKind::kOther), 0);
   EXPECT_FALSE(seams::ever_meet(PieceKind::kHood, PieceKind::kLegs));
+}
+
+/// Half a front with a V-neck: hem, side, armhole, shoulder, neck, middle.
+pattern::Panel half_front(const std::string& id, double side, double width) {
+  const std::vector<garments::Node> nodes{
+      {0, 0}, {side * width, 0}, {side * width, 250}, {side * 180, 480}, {side * 110, 510}, {0, 340}};
+  return garments::piece(id, nodes);
+}
+
+TEST(ProposeKinds, HalvesOfAFrontAreSewnInTheMiddleAndNotOnAlongTheNeck) {
+  seams::FoundSeams found;
+  found.model =
+      seams::make_seam_model({{half_front("left_ftorso", 1, 280), half_front("right_ftorso", -1, 300)}, {}});
+  const auto run_between = [&](Index panel, Vec2 a, Vec2 b) {
+    for (Index r = 0; r < static_cast<Index>(found.model.runs.size()); ++r) {
+      const seams::SeamRun& run = found.model.runs[r];
+      const auto ends = [&](Vec2 p, Vec2 q) {
+        return length(run.at.front() - p) < 1 && length(run.at.back() - q) < 1;
+      };
+      if (run.panel == panel && (ends(a, b) || ends(b, a))) return r;
+    }
+    ADD_FAILURE() << "no such edge";
+    return kNone;
+  };
+  const seams::FoundSeam middle{{run_between(0, {0, 0}, {0, 340})}, {run_between(1, {0, 0}, {0, 340})}, 6};
+  const seams::FoundSeam neck{
+      {run_between(0, {110, 510}, {0, 340})}, {run_between(1, {-110, 510}, {0, 340})}, 6};
+  found.seams = {neck};
+  const double alone = seams::confidence_of(found, neck, 202, 202);
+  found.seams = {middle, neck};
+  EXPECT_GT(alone, 0.8);
+  EXPECT_LT(seams::confidence_of(found, neck, 202, 202), 0.6) << "a head has to go through";
+  EXPECT_GT(seams::confidence_of(found, middle, 340, 340), 0.8);
 }
 
 }  // namespace

@@ -185,6 +185,32 @@ TEST(ProjectNew, NamesTellWhatAGarmentIsMadeOf) {
   EXPECT_EQ(create::piece_fabric("front"), "");
 }
 
+TEST(ProjectNew, APieceThatCannotBeCutIsLeftOutAndNamed) {
+  const std::vector<garments::Node> sound{{0, 0}, {280, 0}, {280, 500}, {0, 500}};
+  dxf::DxfDrawing drawing =
+      dxf::read_dxf(drawing_of({garments::piece("front", sound), garments::piece("flap", sound),
+                                garments::piece("back", sound)}))
+          .value();
+  for (dxf::DxfPiece& piece : drawing.pieces) {
+    if (piece.name != "flap") continue;
+    piece.outline = {{0, 0}, {200, 0}, {0, 100}, {200, 100}};  // crosses itself
+    piece.breaks.clear();
+    piece.breaks_are_edges = false;
+  }
+  const Result<create::NewProject> made = create::new_project(drawing, settings());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->project.pieces.size(), 2U);
+  EXPECT_EQ(made->project.pieces[0].id, "front");
+  EXPECT_EQ(made->project.pieces[1].id, "back");
+  const bool told = std::any_of(made->notes.begin(), made->notes.end(),
+                                [](const std::string& n) { return n.find("\"flap\"") != std::string::npos; });
+  EXPECT_TRUE(told);
+  std::erase_if(drawing.pieces, [](const dxf::DxfPiece& piece) { return piece.name != "flap"; });
+  const Result<create::NewProject> none = create::new_project(drawing, settings());
+  ASSERT_FALSE(none.ok()) << "nothing is left";
+  EXPECT_EQ(none.error().code, "pattern.self_crossing");
+}
+
 TEST(ProjectNew, SaysWhatIsWrongWithAPattern) {
   EXPECT_EQ(create::new_project("", settings()).error().code, "dxf.empty");
   EXPECT_EQ(create::new_project("{", settings()).error().code, "json.syntax");
