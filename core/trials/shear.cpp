@@ -5,6 +5,7 @@
 
 #include "core/base/units.h"
 #include "core/solver/cloth_solver.h"
+#include "core/trials/slope.h"
 #include "core/trials/specimen.h"
 
 namespace toile::trials {
@@ -18,18 +19,14 @@ constexpr double kWaves2 = 64, kGravity = kMostShear * kWaves2 / (kLength / 2); 
 
 /// Of u = a + b (q − L/2)² through the middle half of the piece, b; by least squares.
 double sag_of(const Specimen& piece, const std::vector<Vec3>& x) {
-  double n = 0, s1 = 0, s2 = 0, u1 = 0, us = 0;
+  std::vector<Vec2> sunk;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Vec2 rest = piece.rest[i];
-    if (std::abs(rest.y - kWidth / 2) > kWidth / 4) continue;  // free ends carry no shear
-    const double q = rest.x - kLength / 2, s = q * q, u = x[i].y - rest.y;
-    n += 1;
-    s1 += s;
-    s2 += s * s;
-    u1 += u;
-    us += s * u;
+    const double q = rest.x - kLength / 2;
+    if (std::abs(rest.y - kWidth / 2) <= kWidth / 4)  // free ends carry no shear
+      sunk.push_back({q * q, x[i].y - rest.y});
   }
-  return (n * us - s1 * u1) / (n * s2 - s1 * s1);
+  return slope_of(sunk);
 }
 
 }  // namespace

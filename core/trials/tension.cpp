@@ -5,6 +5,7 @@
 
 #include "core/base/units.h"
 #include "core/solver/cloth_solver.h"
+#include "core/trials/slope.h"
 #include "core/trials/specimen.h"
 
 namespace toile::trials {
@@ -18,17 +19,12 @@ constexpr double kWaves2 = 550, kGravity = kStrain * kWaves2 / (kLength / 2);  /
 
 /// Slope of the displacement over the height in the middle half of the strip, by least squares.
 double strain_of(const Specimen& strip, const std::vector<Vec3>& x) {
-  double n = 0, q1 = 0, q2 = 0, u1 = 0, uq = 0;
+  std::vector<Vec2> sunk;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double q = strip.rest[i].x - kLength / 2, u = -x[i].y - strip.rest[i].x;
-    if (std::abs(q) > kLength / 4) continue;
-    n += 1;
-    q1 += q;
-    q2 += q * q;
-    u1 += u;
-    uq += q * u;
+    const double q = strip.rest[i].x - kLength / 2;
+    if (std::abs(q) <= kLength / 4) sunk.push_back({q, -x[i].y - strip.rest[i].x});
   }
-  return (n * uq - q1 * u1) / (n * q2 - q1 * q1);
+  return slope_of(sunk);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using namespace toile;
 
 constexpr int kWidth = 360, kHeight = 450;  // of a picture on the page's cards
-constexpr int kColumns = 6, kQuality = 88;
+constexpr int kColumns = 4, kQuality = 88;
 
 std::string slurp(const fs::path& p) {
   std::ifstream in(p, std::ios::binary);

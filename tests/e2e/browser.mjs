@@ -3,6 +3,7 @@
 import { mkdirSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
+import { after } from 'node:test';
 import { root } from './service.mjs';
 import { kPatience } from './steps.mjs';
 
@@ -46,6 +47,17 @@ export async function openPage(browser, url, options = {}) {
 
 /** Until the page's own code has run: what it begins with is fetched after the document has come. */
 const begun = (page) => page.waitForFunction(() => window.__toile !== undefined, undefined, { polling: 50 });
+
+/** Ends both after the tests of a file. `opened` gives the browser, or nothing when it never came. */
+export function closeAfter(opened, service) {
+  after(
+    async () => {
+      await opened()?.close();
+      await service.stop();
+    },
+    { timeout: kPatience },
+  );
+}
 
 export const shoot = (page, name) => page.screenshot({ path: join(pictures, `${name}.png`) });
 

@@ -5,8 +5,8 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, describe, it } from 'node:test';
-import { ask, openBrowser, openPage, shoot, waitFor, waitForCalm } from './browser.mjs';
+import { before, describe, it } from 'node:test';
+import { ask, closeAfter, openBrowser, openPage, shoot, waitFor, waitForCalm } from './browser.mjs';
 import { Service } from './service.mjs';
 import { kPatience } from './steps.mjs';
 
@@ -48,13 +48,7 @@ describe('patterns from outside', { skip: existsSync(folder) ? false : `no refer
     },
     { timeout: kPatience },
   );
-  after(
-    async () => {
-      await browser?.close();
-      await service.stop();
-    },
-    { timeout: kPatience },
-  );
+  closeAfter(() => browser, service);
 
   for (const { file, worn } of designs)
     it(`dresses somebody in ${file}`, { timeout: 2 * kDrape }, async () => {

@@ -4,9 +4,10 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, describe } from 'node:test';
+import { before, describe } from 'node:test';
 import {
   ask,
+  closeAfter,
   openBrowser,
   openPage,
   shoot,
@@ -105,13 +106,7 @@ before(
   { timeout: kPatience },
 );
 
-after(
-  async () => {
-    await browser?.close();
-    await service.stop();
-  },
-  { timeout: kPatience },
-);
+closeAfter(() => browser, service);
 
 describe('the page', () => {
   const it = steps(() => shootAll(browser));

@@ -4,8 +4,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, describe } from 'node:test';
-import { ask, openBrowser, openPage, shoot, shootAll, waitFor, waitForCalm, waitForState } from './browser.mjs';
+import { before, describe } from 'node:test';
+import { ask, closeAfter, openBrowser, openPage, shoot, shootAll, waitFor, waitForCalm, waitForState } from './browser.mjs';
 import { Service, root } from './service.mjs';
 import { kPatience, steps, until } from './steps.mjs';
 
@@ -42,13 +42,7 @@ before(
   { timeout: kPatience },
 );
 
-after(
-  async () => {
-    await browser?.close();
-    await service.stop();
-  },
-  { timeout: kPatience },
-);
+closeAfter(() => browser, service);
 
 describe('share links', () => {
   const it = steps(() => shootAll(browser));

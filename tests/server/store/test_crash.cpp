@@ -6,7 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -88,6 +91,14 @@ TEST(StoreCrash, LosesNothingThatWasAcknowledgedBeforeAKill) {
   }
 }
 
+/// Bytes.
+std::uintmax_t largest_file(const std::string& folder) {
+  std::uintmax_t most = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) most = std::max(most, entry.file_size());
+  return most;
+}
+
 /// Which expectation of the full disk did not hold, 0 for none. Runs in a child, since the limit is the
 /// process's.
 int full_disk_story(const std::string& folder) {
@@ -99,7 +110,8 @@ int full_disk_story(const std::string& folder) {
   if (!early || !asset || !job) return 1;
   rlimit limit{};
   ::getrlimit(RLIMIT_FSIZE, &limit);
-  const rlimit small{.rlim_cur = 256 << 10, .rlim_max = limit.rlim_max};
+  // Room for a small write, which ping makes, and none for what is large, however much an empty store has.
+  const rlimit small{.rlim_cur = largest_file(folder) + (128 << 10), .rlim_max = limit.rlim_max};
   ::setrlimit(RLIMIT_FSIZE, &small);
 
   const std::string large(1 << 20, 'x');

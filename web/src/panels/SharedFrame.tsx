@@ -6,6 +6,7 @@ import type { SharedJob } from '../api/types';
 import { useAppState } from '../state/context';
 import { activity, isActive } from '../state/jobs';
 import { closedBy, type SharedState } from '../state/shared';
+import { BrandMark } from '../controls/BrandMark';
 import { SharedPanel } from './SharedPanel';
 import { StateChip } from './StateChip';
 
@@ -63,18 +64,11 @@ function Head({ job }: { job: SharedJob }) {
   );
 }
 
-function Mark() {
-  return (
-    <span class="brand">
-      <svg viewBox="0 0 32 32" width="22" height="22" aria-hidden="true">
-        <rect width="32" height="32" rx="7" />
-        <path d="M11 7h10l1.2 3.6H9.8z" />
-        <path d="M9.4 12h13.2l4 12.4c-3.2 1.5-5.8-.6-8.4.3-2.7.9-4.9 1.1-7.3.2-1.9-.7-3.7.4-5.5-.5z" opacity=".82" />
-      </svg>
-      <span>Toile</span>
-    </span>
-  );
-}
+const Mark = () => (
+  <span class="brand">
+    <BrandMark />
+  </span>
+);
 
 function Bare({ title, text, children }: { title: string; text: string; children: ComponentChildren }) {
   return (
