@@ -71,7 +71,7 @@ CantileverResult cantilever(const material::Fabric& fabric, Vec2 along, double r
   solver.set_holds(std::move(held));
   solver::StepForces forces;
   forces.damping = 12;
-  for (double t = 0; t < kSeconds; t += solver.time_step()) solver.step(forces);
+  run(solver, forces, kSeconds);
   const Vec3 tip = tip_of(strip, solver.positions());
   out.angle = degrees_from_radians(std::atan2(-tip.y, tip.x - (clamp - half_row)));
   out.measured = peirce_length(overhang, out.angle);

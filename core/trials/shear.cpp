@@ -51,7 +51,7 @@ ShearResult shear(const material::Fabric& fabric) {
   solver::StepForces forces;
   forces.gravity = kGravity;
   forces.damping = 40;
-  for (double t = 0; t < kSeconds; t += solver.time_step()) solver.step(forces);
+  run(solver, forces, kSeconds);
   // G u'' = w: the sag's second derivative carries the weight of each mm of cloth.
   out.measured = loaded.areal_mass * kGravity / (2 * sag_of(piece, solver.positions()));
   return out;

@@ -94,4 +94,8 @@ Specimen make_ring(const pattern::Panel& rectangle, double spacing, const materi
   return {std::move(rest), model_of(garment, vertex_of, count, rectangle.grain, fabric)};
 }
 
+void run(solver::ClothSolver& solver, const solver::StepForces& forces, double seconds) {
+  for (double t = 0; t < seconds; t += solver.time_step()) solver.step(forces);
+}
+
 }  // namespace toile::trials

@@ -5,7 +5,7 @@
 
 #include "core/material/fabric.h"
 #include "core/pattern/pattern.h"
-#include "core/solver/cloth_model.h"
+#include "core/solver/cloth_solver.h"
 
 namespace toile::trials {
 
@@ -25,5 +25,8 @@ Specimen make_specimen(const pattern::Panel& panel, double spacing, const materi
 /// A rectangle's ends at x = 0 and `length` made one. `rest` has one entry a vertex, those at its end left
 /// out. REQUIRES as of make_specimen, of a rectangle.
 Specimen make_ring(const pattern::Panel& rectangle, double spacing, const material::Fabric& fabric);
+
+/// Steps for `seconds` of simulated time.
+void run(solver::ClothSolver& solver, const solver::StepForces& forces, double seconds);
 
 }  // namespace toile::trials

@@ -51,7 +51,7 @@ TensionResult tension(const material::Fabric& fabric, bool along_warp) {
   solver::StepForces forces;
   forces.gravity = kGravity;
   forces.damping = 20;
-  for (double t = 0; t < kSeconds; t += solver.time_step()) solver.step(forces);
+  run(solver, forces, kSeconds);
   const double load = loaded.areal_mass * kGravity * kLength / 2;  // N/m, at the middle
   out.measured = load / strain_of(strip, solver.positions());
   return out;

@@ -68,7 +68,7 @@ TubeResult tube(const material::Fabric& fabric, bool warp_around) {
   solver::StepForces forces;
   forces.gravity = 0;
   forces.damping = 20;
-  for (double t = 0; t < kSeconds; t += solver.time_step()) solver.step(forces);
+  run(solver, forces, kSeconds);
   const Middle middle = middle_of(specimen, solver.positions(), warp_around);
   out.measured = pressure * middle.radius / middle.strain;
   return out;
