@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/arrange/layout_measures.h"
+#include "core/arrange/piece_image.h"
 #include "core/arrange/upper_end.h"
 #include "core/geometry/polygon2.h"
 
@@ -101,6 +102,15 @@ class Layer {
     return best;
   }
 
+  /// The root's pose on the sheet. A piece without an image cannot be centred by it: what of it is sewn to
+  /// pieces of the other hand lies in the middle, else its own middle does. Where it is drawn says nothing,
+  /// and pieces that are their own images come to the middle whatever it is.
+  FlatMove root_pose(Index root, int face) const {
+    FlatMove pose = turn_by(upright(root, face), is_mirrored(root, face));
+    if (layout_.partner[root] == kNone) pose.t.x = -middle_of(graph_, root, pose);
+    return pose;
+  }
+
   std::vector<Unit>& units() { return units_; }
 
   void shift(const Unit& unit, Vec2 by) {
@@ -132,7 +142,7 @@ class Layer {
                         (other.hand == -mine.hand || other.hand == 0 || mine.hand == 0);
       if (!fits) continue;
       // On one sheet, both right side out or both not, a mirror image is cut as one.
-      const auto onto = lay_on(other, mine, other.outside == mine.outside);
+      const auto onto = image_on(graph_, q, unit.piece);
       if (onto && can_be_images(unit.piece, q)) {
         unit.partner = q;
         unit.onto = *onto;
@@ -376,7 +386,7 @@ FlatLayout try_trunk(const GarmentGraph& graph, const std::vector<Index>& member
   layer.find_units(members, true);
   const Index root = root_of_trunk(graph, members);
   const int face = graph.pieces[root].face < 0 ? -1 : 1;
-  layer.grow_from(root, turn_by(layer.upright(root, face), layer.is_mirrored(root, face)), face);
+  layer.grow_from(root, layer.root_pose(root, face), face);
   layer.relax(root);
   stand_in_the_middle(graph, members, layout);
   return layout;

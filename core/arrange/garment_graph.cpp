@@ -222,15 +222,23 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
   return graph;
 }
 
-std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to, bool mirrored) {
-  if (std::abs(from.area - to.area) > 2 * kAlike * to.area) return std::nullopt;
+std::vector<FlatMove> ways_to_lay_on(const GarmentPiece& from, const GarmentPiece& to, bool mirrored) {
+  if (std::abs(from.area - to.area) > 2 * kAlike * to.area) return {};
   const std::vector<Vec2> points = around(from, from.corners.front(), false);
-  std::optional<FlatFit> best;
-  for (const Vec2 start : to.corners) {
-    const auto fit = fit_at(points, to, start, mirrored);
-    if (fit && (!best || fit->rms < best->rms)) best = fit;
-  }
-  return best ? std::optional(best->move) : std::nullopt;
+  std::vector<FlatFit> fits;
+  for (const Vec2 start : to.corners)
+    if (const auto fit = fit_at(points, to, start, mirrored)) fits.push_back(*fit);
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const FlatFit& a, const FlatFit& b) { return a.rms < b.rms; });
+  std::vector<FlatMove> ways;
+  ways.reserve(fits.size());
+  for (const FlatFit& fit : fits) ways.push_back(fit.move);
+  return ways;
+}
+
+std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to, bool mirrored) {
+  const std::vector<FlatMove> ways = ways_to_lay_on(from, to, mirrored);
+  return ways.empty() ? std::nullopt : std::optional(ways.front());
 }
 
 namespace {

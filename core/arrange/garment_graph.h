@@ -47,8 +47,11 @@ struct GarmentGraph {
 GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes,
                                 const std::vector<std::string>& absent = {});
 
-/// The isometry that lays piece `from` on piece `to`, mirrored or not as told, when they are alike to 1 % of
-/// their size.
+/// The isometries that lay piece `from` on piece `to`, mirrored or not as told, when they are alike to 1 % of
+/// their size: the closest first, and of strips and other pieces alike both ways up several.
+std::vector<FlatMove> ways_to_lay_on(const GarmentPiece& from, const GarmentPiece& to, bool mirrored);
+
+/// The first of these.
 std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to, bool mirrored);
 
 /// The other piece that is `piece`'s mirror image in the garment: of one outline, mirrored, and worn on the

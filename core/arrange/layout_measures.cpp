@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/aabb.h"
+
 namespace toile::arrange {
 
 FlatLayout empty_layout(std::size_t count) {
@@ -28,6 +30,19 @@ double hands_right(const GarmentGraph& graph, const FlatLayout& layout) {
     if (layout.face[p] != 0) sum += graph.pieces[p].hand * layout.pose[p](graph.pieces[p].centroid).x;
   }
   return sum;
+}
+
+double middle_of(const GarmentGraph& graph, Index piece, const FlatMove& pose) {
+  double sum = 0;
+  int count = 0;
+  for (const GarmentTie& tie : graph.ties) {
+    if ((tie.a != piece && tie.b != piece) || graph.pieces[tie.a].hand * graph.pieces[tie.b].hand >= 0)
+      continue;
+    sum += pose(tie.a == piece ? tie.at_a : tie.at_b).x;
+    ++count;
+  }
+  if (count > 0) return sum / count;
+  return bounding_box(outline_on_sheet(graph.pieces[piece], pose)).middle().x;
 }
 
 void stand_in_the_middle(const GarmentGraph& graph, const std::vector<Index>& members, FlatLayout& layout) {

@@ -17,6 +17,10 @@ Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members
 /// m, positive where pieces named left and right lie on their sides.
 double hands_right(const GarmentGraph& graph, const FlatLayout& layout);
 
+/// Where the garment's middle runs on a piece that lies at `pose`, x on the sheet: where it is sewn to pieces
+/// of the other hand, else its own middle.
+double middle_of(const GarmentGraph& graph, Index piece, const FlatMove& pose);
+
 /// Brings a garment's middle to x = 0 that no piece holds there, itself its own image or another's.
 void stand_in_the_middle(const GarmentGraph& graph, const std::vector<Index>& members, FlatLayout& layout);
 

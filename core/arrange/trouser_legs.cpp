@@ -59,16 +59,19 @@ std::optional<FlatMove> move_over_leg(const GarmentGraph& graph, const FlatLayou
   return move;
 }
 
-/// What hangs from the leg piece on its sheet and goes where it goes: its cuff or frill.
+/// What hangs from the leg piece on its sheet and goes where it goes: its cuff, and the frill of that.
 std::vector<Index> hangs_from(const GarmentGraph& graph, const FlatLayout& layout, Index leg) {
-  std::vector<Index> hanging;
-  for (const GarmentTie& t : graph.ties) {
-    if (t.a != leg && t.b != leg) continue;
-    const Index other = t.a == leg ? t.b : t.a;
-    if (graph.pieces[other].cover != Cover::kCuff || !layout.has(other)) continue;
-    if (layout.face[other] != layout.face[leg]) continue;
-    if (std::find(hanging.begin(), hanging.end(), other) == hanging.end()) hanging.push_back(other);
+  std::vector<Index> hanging{leg};
+  for (std::size_t k = 0; k < hanging.size(); ++k) {
+    for (const GarmentTie& t : graph.ties) {
+      if (t.a != hanging[k] && t.b != hanging[k]) continue;
+      const Index other = t.a == hanging[k] ? t.b : t.a;
+      if (graph.pieces[other].cover != Cover::kCuff || !layout.has(other)) continue;
+      if (layout.face[other] != layout.face[leg]) continue;
+      if (std::find(hanging.begin(), hanging.end(), other) == hanging.end()) hanging.push_back(other);
+    }
   }
+  hanging.erase(hanging.begin());
   return hanging;
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/arrange/garment_graph.h"
+#include "core/arrange/piece_image.h"
 #include "core/body/measure/landmarks.h"
 #include "core/body/mesh_import/load.h"
 #include "core/collision/crossings.h"
@@ -321,6 +322,93 @@ TEST(Arrange, WideFrillsOfTrousersHangUnderTheirLegsOneBeforeTheOther) {
   EXPECT_NEAR(centre_of(s, 5).x, hem_of(s, 1).x, 0.08);
   EXPECT_GT(std::abs(centre_of(s, 4).z - centre_of(s, 5).z), 0.01) << "they are too wide to lie side by side";
   for (const Index frill_piece : {4, 5}) EXPECT_GT(centre_of(s, frill_piece).z, centre_of(s, 0).z + 0.01);
+}
+
+/// Trousers with a cuff on each leg piece and a frill on the cuff: pieces 4 + 2k and 5 + 2k for the legs 0,
+/// 2, 1, 3. Cuffs are alike both ways up, and the left ones sewn by what is the right ones' lower edge.
+pattern::Pattern cuffed_trousers() {
+  pattern::Pattern pattern = test::trousers();
+  const std::vector<Vec2> cuff{{0, 0}, {160, 0}, {160, 30}, {0, 30}};
+  const std::vector<Vec2> frill{{-250, -120}, {250, -120}, {80, 0}, {-80, 0}};
+  for (const bool left : {false, true}) {
+    for (const bool back : {false, true}) {
+      const auto piece = static_cast<Index>(pattern.panels.size());
+      const std::string name = std::string(left ? "left" : "right") + (back ? "_back" : "_front");
+      pattern.panels.push_back(test::polygon(name + "_cuff", cuff));
+      pattern.panels.push_back(test::polygon(name + "_cuff_frill", frill));
+      const Index leg = left + 2 * back, at_leg = left ? 0 : 2;
+      pattern.seams.push_back(test::seam(name + "_hem", {{piece, at_leg}}, {{leg, left ? 4 : 0}}));
+      pattern.seams.push_back(test::seam(name + "_frill", {{piece, 2 - at_leg}}, {{piece + 1, 2}}));
+    }
+  }
+  return pattern;
+}
+
+TEST(Arrange, CuffsLieAtTheirLegsAndFrillsUnderThem) {
+  const Start s = started(cuffed_trousers());
+  const sewing::GarmentMesh& g = s.assembly.garment;
+  for (Index k = 0; k < 4; ++k) {
+    const Index leg = k / 2 + 2 * (k % 2), cuff = 4 + 2 * k, frill = cuff + 1;
+    EXPECT_LT(centre_of(s, cuff).y, centre_of(s, leg).y - 0.2) << k;
+    EXPECT_LT(centre_of(s, frill).y, centre_of(s, cuff).y - 0.02) << k;
+    EXPECT_NEAR(centre_of(s, frill).x, centre_of(s, cuff).x, 0.03) << k;
+    const auto from = s.assembly.positions.begin() + g.first_vertex[frill],
+               to = s.assembly.positions.begin() + g.first_vertex[frill + 1];
+    const auto [low, high] = std::minmax_element(from, to, [](Vec3 a, Vec3 b) { return a.y < b.y; });
+    EXPECT_LT(high->y - low->y, 0.2) << k << ": it stands on its end";
+  }
+}
+
+TEST(ImageOn, StripsThatLieOnEachOtherBothWaysUpDoSoByTheirSeams) {
+  const pattern::Pattern pattern = cuffed_trousers();
+  const auto meshes = mesh::make_panel_meshes(pattern, 0.02, {}).value();
+  const arrange::GarmentGraph graph = arrange::make_garment_graph(pattern, meshes);
+  constexpr Index kRightCuff = 4, kLeftCuff = 8;
+  const auto onto = arrange::image_on(graph, kLeftCuff, kRightCuff);
+  ASSERT_TRUE(onto);
+  EXPECT_TRUE(onto->mirrored);
+  EXPECT_NEAR((*onto)({0.05, 0}).y, 0.03, 1e-4) << "the edges at the legs";
+  EXPECT_NEAR((*onto)({0.05, 0.03}).y, 0, 1e-4) << "the edges at the frills";
+  EXPECT_FALSE(arrange::image_on(graph, kLeftCuff, 0));
+}
+
+TEST(Arrange, HalvesOfABodiceThatAreNoImagesStandBesideEachOtherOverTheirBand) {
+  pattern::Pattern pattern;
+  const std::vector<Vec2> low{{0, 0}, {250, 0}, {250, 250}, {170, 420}, {80, 450}};
+  const std::vector<Vec2> high{{0, 0}, {250, 0}, {250, 250}, {170, 420}, {60, 450}, {0, 330}};
+  const auto drawn_at = [](std::vector<Vec2> corners, double x) {
+    for (Vec2& p : corners) p.x += x;
+    return corners;
+  };
+  const std::vector<Vec2> band{{0, 0}, {500, 0}, {500, 220}, {0, 220}};
+  // Seen from its right side a front's left half is drawn to the right of its centre; where in the file it
+  // lies says nothing.
+  pattern.panels = {test::polygon("left_ftorso", drawn_at(high, 3000)),
+                    test::turned_over("right_ftorso", drawn_at(low, 1000)),
+                    test::turned_over("left_btorso", drawn_at(high, -2000)),
+                    test::polygon("right_btorso", drawn_at(low, 500)),
+                    test::polygon("wb_front", band),
+                    test::polygon("wb_back", band)};
+  const auto over_low = [](Index edge) { return 4 - edge; };
+  const auto over_high = [](Index edge) { return 5 - edge; };
+  pattern.seams = {test::seam("side_left", {{0, 1}}, {{2, over_high(1)}}),
+                   test::seam("side_right", {{1, over_low(1)}}, {{3, 1}}),
+                   test::seam("shoulder_left", {{0, 3}}, {{2, over_high(3)}}),
+                   test::seam("shoulder_right", {{1, over_low(3)}}, {{3, 3}}),
+                   test::seam("front", {{0, 5}}, {{1, over_low(4)}}),
+                   test::seam("back", {{2, over_high(5)}}, {{3, 4}}),
+                   test::seam("band_left", {{4, 1}}, {{5, 3}}),
+                   test::seam("band_right", {{4, 3}}, {{5, 1}}),
+                   test::seam("waist_front", {{4, 2}}, {{1, over_low(0)}, {0, 0}}),
+                   test::seam("waist_back", {{5, 2}}, {{2, over_high(0)}, {3, 0}})};
+  const Start s = started(pattern);
+  for (const Index left : {0, 2}) EXPECT_NEAR(centre_of(s, left).x - figure().middle, 0.125, 0.05);
+  for (const Index right : {1, 3}) EXPECT_NEAR(centre_of(s, right).x - figure().middle, -0.125, 0.05);
+  for (Index k = 0; k < 4; ++k) {
+    EXPECT_EQ(centre_of(s, k).z > centre_of(s, 4).z - 0.01, k < 2);
+    EXPECT_GT(centre_of(s, k).y, centre_of(s, 4).y + 0.1);
+    EXPECT_NEAR(centre_of(s, k).y, centre_of(s, 0).y, 0.05);
+  }
 }
 
 TEST(Arrange, EqualGoresWithoutNamesGoOnceAroundTheHips) {
