@@ -190,6 +190,17 @@ struct RenderOptions {
 /// Takes a still of what a drape has left.
 ExitCode render_command(const RenderOptions& options);
 
+struct VerifyOptions {
+  std::string source;   ///< folder of results, or its manifest.json
+  std::string project;  ///< path of the document; empty: where the manifest says
+  std::string from;     ///< as of a drape; empty: where the manifest says
+  bool files_only = false, json = false;
+};
+
+/// Compares a drape's inputs and results with its manifest, drapes again and compares that. kNotSame where
+/// anything differs.
+ExitCode verify_command(const VerifyOptions& options);
+
 struct SampleOptions {
   std::string name;  ///< empty: list what there is
   std::string out;   ///< folder

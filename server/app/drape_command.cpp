@@ -1,8 +1,5 @@
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <limits>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -10,22 +7,20 @@
 #include <vector>
 
 #include "core/analysis/report.h"
+#include "core/base/read_file.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/base/write_file.h"
-#include "core/drape/pipeline.h"
-#include "core/drape/worn_part.h"
 #include "core/exports/report_page.h"
 #include "core/exports/write_report.h"
 #include "core/image/reduce.h"
+#include "core/json/fields/range.h"
 #include "core/json/tree.h"
 #include "core/project/resolve/resolve.h"
 #include "proto/cpp/trace_file.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
-#include "server/app/interrupt.h"
-#include "server/app/mesh_reader.h"
-#include "server/app/progress_bar.h"
+#include "server/app/drape_once.h"
 #include "server/jobs/results.h"
 #include "server/movie/film_recorder.h"
 #include "server/render/still.h"
@@ -42,18 +37,6 @@ Status make_folder(const fs::path& folder) {
   return Error{"usage.out",
                "cannot make the folder for the results" + (failure ? ": " + failure.message() : ""),
                folder.string()};
-}
-
-Result<warm::HungGarment> read_hung(fs::path path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) path /= "final.hung";
-  std::ifstream in(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad())
-    return Error{"usage.from", "cannot read how the garment hung", path.string()};
-  Result<warm::HungGarment> hung = warm::decode_hung(bytes);
-  if (!hung) return Error{hung.error().code, hung.error().message, path.string(), hung.error().kind};
-  return hung;
 }
 
 std::string percent(double ratio) { return fixed_text(100 * ratio, 2) + "%"; }
@@ -98,9 +81,9 @@ Status write_page(const analysis::Report& report, const DrapeOptions& options) {
   std::vector<exports::PagePicture> pictures;
   for (const char* view : {"front", "side", "back"}) {
     if (!options.stills) continue;
-    std::ifstream file(out / (std::string(view) + ".png"), std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (auto small = image::reduced_png(bytes, kPageWidth)) pictures.push_back({view, std::move(*small)});
+    const std::optional<std::string> bytes = read_file(out / (std::string(view) + ".png"));
+    if (!bytes) continue;
+    if (auto small = image::reduced_png(*bytes, kPageWidth)) pictures.push_back({view, std::move(*small)});
   }
   const json::JsonValue figures = TRY(json::parse_json(exports::report_json(report)));
   return write_file(out / "report.html", exports::report_page(figures, pictures));
@@ -151,42 +134,40 @@ Result<std::unique_ptr<proto::TraceWriter>> open_trace(const DrapeOptions& optio
   return proto::TraceWriter::open(options.trace, options.trace_every);
 }
 
-/// Drapes in one go. What cannot be put on is left out of `input`, too. No positions where it was cancelled
-/// before there was any cloth.
-Result<drape::DrapeResult> drape_of(drape::DrapeInput& input, drape::FrameSink& sink) {
-  ProgressBar bar;
-  RunContext context;
-  context.cancel = &cancel_on_interrupt();
-  context.on_progress = [&](const Progress& progress) { bar.show(progress); };
-  Result<std::unique_ptr<drape::DrapeRun>> run = drape::DrapeRun::start(input, context, &sink);
-  if (run) (*run)->advance(std::numeric_limits<int>::max(), context);
-  bar.clear();
-  if (!run && run.error().kind == ErrorKind::kCancelled) return drape::DrapeResult{};
-  if (!run) return run.error();
-  drape::DrapeResult result = (*run)->conclude();
-  if ((*run)->reduced()) input = drape::DrapeInput((*run)->input());
-  return result;
+/// `path` as seen from `folder`; empty where a manifest has no room for it.
+std::string seen_from(const fs::path& folder, const fs::path& path) {
+  std::error_code failure;
+  const std::string relative = fs::proximate(path, folder, failure).generic_string();
+  return failure || relative.size() > fields::kLongestText ? std::string() : relative;
+}
+
+Status deliver_manifest(manifest::Manifest manifest, const drape::DrapeResult& result,
+                        const DrapeOptions& options) {
+  const fs::path out = options.out;
+  if (exit_code_of(result) == kCancelled) {  // nobody could drape to the moment of an interrupt again
+    std::error_code ignored;
+    fs::remove(out / manifest::kManifestFile, ignored);
+    return {};
+  }
+  manifest.project_path = seen_from(out, options.project);
+  if (!options.from.empty()) manifest.from_path = seen_from(out, shape_path(options.from));
+  return jobs::write_manifest(std::move(manifest), result, out, options.check_data);
 }
 
 }  // namespace
 
 ExitCode drape_command(const DrapeOptions& options) {
-  Result<resolve::ResolvedProject> read = resolve::read_project(options.project, own_mesh_importer());
-  if (!read) return fail(read.error(), options.json);
-  if (!options.from.empty()) {
-    Result<warm::HungGarment> before = read_hung(options.from);
-    if (!before) return fail(before.error(), options.json);
-    read->input.before = std::make_shared<const warm::HungGarment>(std::move(*before));
-  }
-  read->input = drape::worn_part(std::move(read->input));
-  if (const auto textures = resolve::read_textures(*read); !textures)
+  Result<ReadyProject> ready = read_to_drape(options.project, options.from);
+  if (!ready) return fail(ready.error(), options.json);
+  resolve::ResolvedProject& read = ready->read;
+  if (const auto textures = resolve::read_textures(read); !textures)
     return fail(textures.error(), options.json);  // before the time of a drape is spent
   if (Status folder = make_folder(options.out); !folder) return fail(folder.error(), options.json);
   const Result<std::unique_ptr<proto::TraceWriter>> trace = open_trace(options);
   if (!trace) return fail(trace.error(), options.json);
 
   Recorders recorders(trace->get());
-  const Result<drape::DrapeResult> result = drape_of(read->input, recorders);
+  const Result<drape::DrapeResult> result = drape_once(read.input, recorders);
   if (!result) return fail(result.error(), options.json);
   if (*trace) {
     if (Status traced = (*trace)->finish(); !traced) return fail(traced.error(), options.json);
@@ -196,10 +177,12 @@ ExitCode drape_command(const DrapeOptions& options) {
                 options.json);
     return kCancelled;
   }
-  const Result<image::Textures> textures = resolve::read_textures(*read);  // of what was draped
+  const Result<image::Textures> textures = resolve::read_textures(read);  // of what was draped
   if (!textures) return fail(textures.error(), options.json);
-  if (Status delivered = deliver(read->input, *result, *textures, recorders.motion(), options); !delivered)
+  if (Status delivered = deliver(read.input, *result, *textures, recorders.motion(), options); !delivered)
     return fail(delivered.error(), options.json);
+  if (Status marked = deliver_manifest(std::move(ready->manifest), *result, options); !marked)
+    return fail(marked.error(), options.json);
   return exit_code_of(*result);
 }
 

@@ -1,17 +1,15 @@
 #include "server/app/engine_id.h"
 
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include "core/base/hash.h"
+#include "core/base/read_file.h"
 
 namespace toile::app {
 
 std::string engine_of_this_program() {
-  std::ifstream in("/proc/self/exe", std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  return in.is_open() && !in.bad() ? hash_of(std::string_view(bytes)) : std::string();
+  const std::optional<std::string> bytes = read_file("/proc/self/exe");
+  return bytes ? hash_of(std::string_view(*bytes)) : std::string();
 }
 
 }  // namespace toile::app

@@ -10,6 +10,7 @@ enum ExitCode : int {
   kUnsettled = 3,  ///< the drape ended before the cloth came to rest; its results are written
   kCancelled = 4,  ///< interrupted from outside
   kNotWorn = 5,    ///< the cloth came to rest, but the body does not wear it; its results are written
+  kNotSame = 6,    ///< verify: inputs, results or a second drape are not what the manifest says
 };
 
 }  // namespace toile::app

@@ -71,7 +71,7 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
   verb->footer(
       std::string(
           "Leaves report.json, report.html (to look at), final.obj, final.glb, final.hung, drape.film "
-          "(toile movie) and front, back, side and three-quarter.png.\n"
+          "(toile movie), manifest.json (toile verify) and front, back, side and three-quarter.png.\n"
           "Ctrl-C ends the drape and keeps what there is; a second one ends at once.\n\n"
           "Examples:\n"
           "  toile drape samples/skirt/project.json --out out/skirt\n"

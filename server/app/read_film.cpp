@@ -1,10 +1,9 @@
 #include "server/app/read_film.h"
 
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
+#include "core/base/read_file.h"
 #include "proto/cpp/trace_file.h"
 #include "server/movie/film_codec.h"
 #include "server/movie/film_recorder.h"
@@ -61,13 +60,11 @@ Result<movie::Film> film_of_trace(const fs::path& path) {
 Result<movie::Film> read_film(fs::path path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) path /= movie::kFilmFile;
-  std::ifstream in(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad()) {
+  const std::optional<std::string> bytes = read_file(path);
+  if (!bytes)
     return Error{"usage.film", "cannot read the film that toile drape leaves; drape anew", path.string()};
-  }
-  if (bytes.starts_with(proto::kTraceMagic)) return film_of_trace(path);
-  Result<movie::Film> film = movie::decode_film(bytes);
+  if (bytes->starts_with(proto::kTraceMagic)) return film_of_trace(path);
+  Result<movie::Film> film = movie::decode_film(*bytes);
   if (!film) return placed_at(film.error(), path.string());
   return film;
 }

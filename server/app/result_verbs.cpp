@@ -74,14 +74,33 @@ CLI::App* add_render(CLI::App& app, RenderOptions& still) {
   return verb;
 }
 
+CLI::App* add_verify(CLI::App& app, VerifyOptions& verify) {
+  CLI::App* verb = app.add_subcommand(
+      "verify", "Drape again what results were made of, and see that the bytes are the same");
+  verb->add_option("result", verify.source, "Folder with manifest.json, as a drape or a job has left it")
+      ->required();
+  verb->add_option("--project", verify.project, "The project document (default: where the manifest says)");
+  verb->add_option("--from", verify.from, "What the drape went on from (default: where the manifest says)");
+  verb->add_flag("--files-only", verify.files_only, "Compare the files; do not drape again");
+  verb->add_flag("--json", verify.json, "Print as JSON, errors as well");
+  verb->footer(std::string("Examples:\n"
+                           "  toile verify out/skirt\n"
+                           "  toile verify out/remote --project samples/skirt/project.json\n\n") +
+               kExitCodes);
+  return verb;
+}
+
 }  // namespace
 
 ResultVerbs::ResultVerbs(CLI::App& app)
-    : movie_(add_movie(app, movie_options_)), render_(add_render(app, render_options_)) {}
+    : movie_(add_movie(app, movie_options_)),
+      render_(add_render(app, render_options_)),
+      verify_(add_verify(app, verify_options_)) {}
 
 std::optional<ExitCode> ResultVerbs::run() const {
   if (movie_->parsed()) return movie_command(movie_options_);
   if (render_->parsed()) return render_command(render_options_);
+  if (verify_->parsed()) return verify_command(verify_options_);
   return std::nullopt;
 }
 

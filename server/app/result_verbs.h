@@ -24,8 +24,10 @@ class ResultVerbs {
  private:
   MovieOptions movie_options_;
   RenderOptions render_options_;
+  VerifyOptions verify_options_;
   const CLI::App* movie_;
   const CLI::App* render_;
+  const CLI::App* verify_;
 };
 
 }  // namespace toile::app

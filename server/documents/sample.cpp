@@ -1,12 +1,12 @@
 // The project that a new store begins with.
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/names.h"
+#include "core/base/read_file.h"
 #include "core/project/project.h"
 #include "server/documents/assets.h"
 #include "server/documents/projects.h"
@@ -15,10 +15,8 @@
 namespace toile::documents {
 namespace {
 
-Result<std::string> read_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.good() || in.eof()) return bytes;
+Result<std::string> read_sample(const std::filesystem::path& path) {
+  if (auto bytes = read_file(path)) return std::move(*bytes);
   return Error{"project.file", "cannot read the sample's file " + in_quotes(path.filename().string()),
                path.string()};
 }
@@ -44,7 +42,7 @@ Result<std::string> add(Documents& documents, const store::RequestContext& conte
   ProjectFileMap files;
   for (const UsedFile& used : used_files(project)) {
     if (files.contains(used.name)) continue;
-    const std::string bytes = TRY(read_file(folder / used.name));
+    const std::string bytes = TRY(read_sample(folder / used.name));
     const std::string name = std::filesystem::path(used.name).filename().string();
     const store::AssetRow asset = TRY(add_asset(documents, context, used.kind, name, bytes));
     files[used.name] = asset.id;

@@ -1,13 +1,12 @@
 #include "server/http/static_files.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <system_error>
 
 #include "core/base/names.h"
+#include "core/base/read_file.h"
 #include "server/http/compress.h"
 #include "server/http/problem.h"
 
@@ -35,12 +34,6 @@ constexpr const char* kNoPage = R"(<!doctype html>
 <a href="/healthz">health</a>, <a href="/metrics">figures</a>.
 </html>
 )";
-
-std::optional<std::string> bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(in), {}};
-}
 
 bool is_text(const std::string& content_type) {
   return content_type.starts_with("text/") || content_type == "application/json" ||
@@ -109,7 +102,7 @@ HttpResponse StaticFiles::get(const HttpRequest& request) const {
   const bool start = request.segments.empty();
   const std::vector<std::string> segments = start ? std::vector<std::string>{"index.html"} : request.segments;
   const auto path = folder_.empty() ? std::nullopt : find_file(folder_, segments);
-  std::optional<std::string> bytes = path ? bytes_of(*path) : std::nullopt;
+  std::optional<std::string> bytes = path ? read_file(*path) : std::nullopt;
   if (!bytes && start) return html(kNoPage);
   if (!bytes) {
     return problem(404, {"http.not_found", "there is nothing at this address", clipped(request.target, 200)});

@@ -1,6 +1,7 @@
 #include "server/jobs/input.h"
 
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "core/base/hash.h"
@@ -77,6 +78,22 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
   row.files = project.files;
   if (!from.empty()) row.files[kShapeFile] = TRY(kept_shape(documents, context, from));
   return row;
+}
+
+Result<manifest::Manifest> inputs_of(documents::Documents& documents, const store::RequestContext& context,
+                                     const store::JobRow& job) {
+  const project::Project project = TRY(project::parse_project(job.document));
+  manifest::Manifest out;
+  out.document = manifest::mark_of("project.json", project);
+  out.settings = project.settings;
+  std::set<std::string> named{kShapeFile};
+  for (const documents::UsedFile& file : documents::used_files(project)) named.insert(file.name);
+  for (const auto& [name, id] : job.files) {
+    if (!named.contains(name)) continue;  // an upload that the document does not use
+    const std::string bytes = TRY(documents.store().asset_bytes(context, id));
+    out.inputs.push_back(manifest::mark_of(name, std::string_view(bytes)));
+  }
+  return out;
 }
 
 /// Ids of files are hashes of their bytes.

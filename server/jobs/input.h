@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/drape/drape_input.h"
 #include "core/image/texture.h"
+#include "core/manifest/manifest.h"
 #include "server/documents/documents.h"
 #include "server/jobs/limits.h"
 
@@ -35,6 +36,10 @@ Result<image::Textures> textures_of(documents::Documents& documents, const store
 Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
                                    const std::string& project_id, const JobLimits& limits = {},
                                    const std::string& from = "");
+
+/// The manifest's account of the job's document and files. Errors: project.*, store.*.
+Result<manifest::Manifest> inputs_of(documents::Documents& documents, const store::RequestContext& context,
+                                     const store::JobRow& job);
 
 /// A hash of all that the results of the job follow from: the engine, its document, the bytes of its files
 /// and the size of its pictures (pixels). Empty where `engine` is.

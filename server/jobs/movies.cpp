@@ -7,12 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "core/base/hash.h"
 #include "core/base/names.h"
+#include "core/base/read_file.h"
 #include "core/base/text.h"
 #include "server/jobs/results.h"
 #include "server/movie/film_codec.h"
@@ -42,11 +41,6 @@ Status check_job(const store::JobRow& job) {
       "movie.no_film",
       "there is nothing to make a movie of: the job has not ended, or was draped by an older program", job.id,
       ErrorKind::kConflict};
-}
-
-std::string bytes_in(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -237,7 +231,9 @@ Status Movies::make_once(const Key& key, const Order& order) {
   context.cancel = order.dropped.get();
   context.on_progress = [&](const Progress& progress) { tell(key, progress.fraction); };
   TRY(movie::make_movie(film, order.settings, path, context));
-  return keep(key, order.context, bytes_in(path));
+  const std::optional<std::string> made = read_file(path);
+  if (!made) return Error{"export.read", "cannot read the movie back", path.string(), ErrorKind::kInternal};
+  return keep(key, order.context, *made);
 }
 
 /// The file first and its name last: a crash in between leaves no half of a movie.

@@ -1,14 +1,15 @@
 #include "server/jobs/results.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "core/base/hash.h"
+#include "core/base/read_file.h"
 #include "core/exports/write_glb.h"
 #include "core/exports/write_obj.h"
 #include "server/documents/stream_pieces.h"
@@ -55,11 +56,8 @@ Status write_view(render::Stills& stills, const render::Scene& scene, render::Vi
 }
 
 Result<std::string> bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad() || !in.is_open())
-    return Error{"export.read", "cannot read the file back", path.string(), ErrorKind::kInternal};
-  return bytes;
+  if (auto bytes = read_file(path)) return std::move(*bytes);
+  return Error{"export.read", "cannot read the file back", path.string(), ErrorKind::kInternal};
 }
 
 Status write_bytes(const fs::path& path, std::string_view bytes) {
@@ -96,6 +94,20 @@ Status write_film(const drape::DrapeInput& input, const drape::DrapeResult& resu
   const movie::Film film =
       movie::film_of(input, result, documents::stream_pieces(input, result.garment), textures, motion);
   return write_bytes(folder / movie::kFilmFile, movie::encode_film(film));
+}
+
+Status write_manifest(manifest::Manifest manifest, const drape::DrapeResult& result, const fs::path& folder,
+                      bool check_data) {
+  std::vector<std::string> names{movie::kFilmFile, "final.glb", "final.hung", "final.obj"};
+  if (check_data) names.insert(names.end(), {"body.obj", "rest.obj", "sewn.json"});
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) {
+    const std::string bytes = TRY(bytes_of(folder / name));
+    manifest.results.push_back(manifest::mark_of(name, std::string_view(bytes)));
+  }
+  manifest.positions = hash_of(result.positions);
+  manifest.steps = result.steps;
+  return write_bytes(folder / manifest::kManifestFile, manifest::write_manifest(manifest));
 }
 
 Status write_stills(render::Stills& stills, const drape::DrapeInput& input, const drape::DrapeResult& result,

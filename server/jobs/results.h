@@ -12,6 +12,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "core/image/texture.h"
+#include "core/manifest/manifest.h"
 #include "server/movie/film.h"
 #include "server/store/store.h"
 
@@ -31,6 +32,11 @@ Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& re
 Status write_film(const drape::DrapeInput& input, const drape::DrapeResult& result,
                   const image::Textures& textures, const movie::Motion& motion,
                   const std::filesystem::path& folder);
+
+/// Writes manifest.json into `folder`, with what write_models and write_film have left there. REQUIRES a
+/// manifest of the inputs. Errors: export.read, export.write.
+Status write_manifest(manifest::Manifest manifest, const drape::DrapeResult& result,
+                      const std::filesystem::path& folder, bool check_data);
 
 /// Writes front.png, back.png, side.png and three-quarter.png into `folder`, drawn on the calling thread,
 /// to which `stills` belongs. Errors: render.*, export.write; "cancelled" when the context was, between two

@@ -296,6 +296,10 @@ Result<RunEnd> JobRun::deliver_models() {
   read_pictures_into(end);
   TRY(write_models(*input_, *result_, textures_, folder->path(), true));
   TRY(write_film(*input_, *result_, textures_, recorder_->motion(), folder->path()));
+  const store::JobRow row = TRY(store.job(context_, job_id_));
+  manifest::Manifest manifest = TRY(inputs_of(*place_.documents, context_, row));
+  manifest.made_by = manifest::this_program(place_.engine);
+  TRY(write_manifest(std::move(manifest), *result_, folder->path(), true));
   TRY(write_file(folder->path() / "report.json", end.report));
   auto results = TRY(keep_results(store, context_, job_id_, folder->path()));
   end.results = std::move(results);

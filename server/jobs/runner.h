@@ -37,6 +37,7 @@ struct RunPlace {
   std::chrono::duration<double> checkpoint_every{5};
   int still_width = 1024, still_height = 1280;  ///< pixels
   JobLimits limits;
+  std::string engine;  ///< hash of the program, for the manifest
 };
 
 /// What the worker that holds a run wants of it.

@@ -57,7 +57,8 @@ Status QueueingJobService::claim(const Changing& changing, const LiveJobPtr& hel
                          std::chrono::duration<double>(settings_.checkpoint_every_s),
                          settings_.still_width,
                          settings_.still_height,
-                         settings_.limits};
+                         settings_.limits,
+                         settings_.engine};
     return std::make_unique<JobRun>(place, job.context, job.id, epoch);
   });
   table_.announce(changing, job);

@@ -107,7 +107,7 @@ Result<drape::DrapeInput> resolve_project(const project::Project& project, const
 }
 
 Result<ResolvedProject> read_project(const std::filesystem::path& path,
-                                     const mesh_import::MeshImporter& importer) {
+                                     const mesh_import::MeshImporter& importer, const FileNote& note) {
   const auto in_document = [&](const Error& error) {
     return json::error_at(clipped(path.string(), 300), error);
   };
@@ -115,7 +115,15 @@ Result<ResolvedProject> read_project(const std::filesystem::path& path,
   Result<project::Project> project = project::parse_project(text);
   if (!project) return in_document(project.error());
   ProjectFiles files = files_in(path.parent_path(), importer);
-  Result<drape::DrapeInput> input = resolve_project(*project, files);
+  ProjectFiles noted = files;  // the note may not outlive this call
+  if (note) {
+    noted.dxf_text = [&](const std::string& name) {
+      Result<std::string> bytes = files.dxf_text(name);
+      if (bytes) note(name, *bytes);
+      return bytes;
+    };
+  }
+  Result<drape::DrapeInput> input = resolve_project(*project, noted);
   if (!input) return in_document(input.error());
   return ResolvedProject{std::move(*project), std::move(*input), std::move(files), path};
 }

@@ -2,6 +2,9 @@
 // Project document → DrapeInput: files are opened, names become indices, units become the core's.
 
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/body/mesh_import/import.h"
@@ -27,9 +30,13 @@ struct ResolvedProject {
   std::filesystem::path path;
 };
 
+/// Told of a pattern file that was read, with its bytes.
+using FileNote = std::function<void(const std::string& name, std::string_view bytes)>;
+
 /// Reads a document and the files beside it. Errors: json.*, project.* and those of resolve_project.
 Result<ResolvedProject> read_project(const std::filesystem::path& path,
-                                     const mesh_import::MeshImporter& importer = {});
+                                     const mesh_import::MeshImporter& importer = {},
+                                     const FileNote& note = {});
 
 /// The pictures of the document. Errors: those of textures.h, with the document's name first in `where`.
 Result<image::Textures> read_textures(const ResolvedProject& read);

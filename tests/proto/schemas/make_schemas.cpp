@@ -6,6 +6,7 @@
 #include "core/base/write_file.h"
 #include "core/exports/write_report.h"
 #include "core/fabric/schema.h"
+#include "core/manifest/manifest.h"
 #include "core/project/editing/edits.h"
 #include "core/project/schema.h"
 
@@ -20,6 +21,7 @@ int main(int count, char** arguments) {
       {"edit.schema.json", toile::editing::edit_schema()},
       {"fabric.schema.json", toile::fabric::fabric_schema()},
       {"report.schema.json", toile::exports::report_schema()},
+      {"manifest.schema.json", toile::manifest::manifest_schema()},
   };
   for (const auto& [name, schema] : files) {
     const toile::Status written = toile::write_file(folder / name, toile::json::write_json(schema));

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/json/tree.h"
+#include "core/manifest/manifest.h"
 #include "proto/cpp/frame_codec.h"
 #include "tests/core/image/pictures.h"
 #include "tests/server/jobs/house.h"
@@ -43,16 +44,24 @@ TEST_F(Jobs, ALoneDrapeLeavesItsReportModelsCheckDataAndPictures) {
   EXPECT_EQ(job.attempt, 1);
   EXPECT_GT(job.started_ms, 0);
   EXPECT_GE(job.ended_ms, job.started_ms);
-  for (const char* name :
-       {"report.json", "final.glb", "final.hung", "drape.film", "final.obj", "rest.obj", "body.obj",
-        "sewn.json", "front.png", "back.png", "side.png", "three-quarter.png", "thumbnail.png"}) {
+  for (const char* name : {"report.json", "final.glb", "final.hung", "drape.film", "final.obj", "rest.obj",
+                           "body.obj", "sewn.json", "manifest.json", "front.png", "back.png", "side.png",
+                           "three-quarter.png", "thumbnail.png"}) {
     ASSERT_TRUE(job.results.contains(name)) << name;
     const std::string bytes = store.result_bytes(kOwner, id, name).value();
     EXPECT_EQ(static_cast<std::int64_t>(bytes.size()), job.results.at(name).bytes) << name;
     EXPECT_FALSE(bytes.empty()) << name;
   }
-  EXPECT_EQ(job.results.size(), 13u);
+  EXPECT_EQ(job.results.size(), 14u);
   EXPECT_EQ(store.result_bytes(kOwner, id, "report.json").value(), job.report);
+  const auto manifest = manifest::parse_manifest(store.result_bytes(kOwner, id, "manifest.json").value());
+  ASSERT_TRUE(manifest);
+  EXPECT_NE(job.report.find(manifest->positions), std::string::npos) << "the report tells the same hash";
+  EXPECT_EQ(manifest->results.size(), 7u);
+  for (const manifest::FileMark& file : manifest->results)
+    EXPECT_EQ(file.hash, job.results.at(file.name).hash);
+  EXPECT_EQ(manifest->document.hash,
+            manifest::mark_of("", project::parse_project(job.document).value()).hash);
   service->stop();
   for (const auto& entry : std::filesystem::directory_iterator(store.scratch_folder())) {
     EXPECT_TRUE(entry.is_regular_file()) << entry.path() << " is left over";
