@@ -33,16 +33,20 @@ struct Arrangement {
   std::vector<sewing::Attachment> attachments;  ///< what holds a skirt or trousers up until friction does
   std::vector<ArrangedPiece> pieces;            ///< one per panel
   preflight::Findings findings;                 ///< what the look at this start finds
+  /// Panels for which nothing tells a place, rising: whatever stands in `placements`, they stay where they
+  /// are.
+  std::vector<Index> unplaced = {};
 };
 
 /// Fronts stand flat before the body and backs behind it, sleeves before and behind the arms or around them,
 /// hoods beside the head, strips that close in themselves around what they close around; partners as mirror
 /// images. Names say what a piece covers where they can, seams and shapes where they cannot. Heights come
 /// from the body: shoulder seams at the neck's sides, waists where the trunk is as wide as they are, crotches
-/// below the crotch. Equal input gives equal places.
+/// below the crotch. Where no seam leads to some pieces, each part that hangs together is arranged by itself,
+/// smaller ones over larger ones; what still has no place is left and told. Equal input gives equal places.
 ///
 /// Errors: "arrange.no_body" (nobody to dress), "body.not_standing", "arrange.no_seams" with the piece that
-/// nothing leads to.
+/// nothing leads to, where less than half of the cloth has a place.
 Result<Arrangement> arrange(const ArrangeInput& input);
 
 }  // namespace toile::arrange

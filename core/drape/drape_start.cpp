@@ -134,8 +134,9 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
   const auto passed_over = [&](int before) { return static_cast<std::size_t>(std::max(0, after - before)); };
   if (after < ways) tries = from(input.placements, 0, passed_over(0));
   if (tries.on || after >= 2 * ways || context.cancelled()) return tries;
-  const auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
+  auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
   if (!anew) return tries;
+  for (const Index p : anew->unplaced) anew->placements[p] = input.placements[p];
   const bool alike = stand_alike(start, anew->placements);
   if (alike && !tries.gave_up) return tries;
   // Where they stand so already, the work is for the ways that were not reached.

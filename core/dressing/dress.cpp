@@ -24,6 +24,9 @@ constexpr double kFinishing = 0.01;                   // m, that a finer mesh is
 constexpr int kUntangling = 120;
 constexpr int kSmoothings = 3;
 constexpr double kSmooth = 1;  // bending, as ShapeWishes
+/// Share of what crossed that smoothing leaves at most, where cloth that is not tangled is to grow: a step
+/// that goes no further is given up, and costs nothing but a part of the size.
+constexpr double kLessTangled = 0.9;
 /// What finding out what crosses, and the certificate, cost in passes of the shape problem.
 constexpr int kLook = 1, kJudging = 20;
 constexpr int kWatched = 10;  // passes from one look to the next
@@ -216,25 +219,28 @@ bool come_back(const Wearer& wearer, const DressingWay& way, const RunContext& c
     }
     effort.spend(sewn.mesh.vertex_count, kSpreading);
   };
-  // What is caught in a fold comes free as the fold is smoothed.
-  const auto parted = [&](std::vector<Vec3>& x, AxisGuard& of_x, double least) {
+  // What is caught in a fold comes free as the fold is smoothed, as long as that makes less of it.
+  const auto parted = [&](std::vector<Vec3>& x, AxisGuard& of_x, double least, double progress) {
+    double before = HUGE_VAL;
     for (int round = 0;; ++round) {
       const Untangled u =
           untangle(surface, whole, wearer.crossing(), sewn.mesh.spacing, kUntangling, x, &of_x);
       effort.spend(sewn.mesh.vertex_count, kLook * (1 + u.passes));
       if (u.left.none()) return true;
-      if (round == kSmoothings || effort.spent() || context.cancelled()) return false;
+      if (round == kSmoothings || u.left.all() > progress * before || effort.spent() || context.cancelled())
+        return false;
+      before = u.left.all();
       pass(x, of_x, least, kSmooth);
     }
   };
-  if (!parted(sewn.x, guard, way.least_stretch)) return false;
+  if (!parted(sewn.x, guard, way.least_stretch, HUGE_VAL)) return false;
   for (const double wanted : kComingBack) {
     if (effort.spent() || context.cancelled()) return true;
     const double least = std::max(wanted, way.least_stretch);
     std::vector<Vec3> x = sewn.x;
     AxisGuard of_x = guard;
     pass(x, of_x, least, 0.5 * way.bending);
-    if (!parted(x, of_x, least)) return true;
+    if (!parted(x, of_x, least, kLessTangled)) return true;
     sewn.x = std::move(x);
     guard = std::move(of_x);
   }

@@ -24,6 +24,8 @@ class Effort {
   Effort less(const Effort& part, const Effort& left) const {
     return Effort(left_ - part.left_ + left.left_);
   }
+  /// What went from this until `left` was left.
+  Effort spent_since(const Effort& left) const { return Effort(left_ - left.left_); }
   bool spent() const { return left_ <= 0; }
 
  private:

@@ -90,13 +90,21 @@ TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, con
   TriedOn tried;
   tried.effort = effort;
   std::optional<Dressed> nearest;
+  Effort better;  // for one less squeezed, once one is certified: as much as it took to come there
   for (std::size_t number = first; number < dressing_ways().size(); ++number) {
     if (context.cancelled()) return {};
-    tried.gave_up = number > first && tried.effort.spent();
+    tried.gave_up = number > first && tried.effort.spent() && !tried.on;
     tried.next = number;
-    if (tried.gave_up) break;
-    Dressed dressed = dress(coarse, wearer, dressing_ways()[number], context, {}, tried.effort);
-    tried.effort = dressed.effort;
+    if (tried.gave_up || (tried.on && better.spent())) break;
+    Dressed dressed =
+        dress(coarse, wearer, dressing_ways()[number], context, {}, tried.on ? better : tried.effort);
+    if (tried.on) {
+      tried.effort = tried.effort.less(better, dressed.effort);
+      better = dressed.effort;
+    } else {
+      tried.effort = dressed.effort;
+      better = effort.spent_since(tried.effort);
+    }
     dressed.number = number;
     if (!dressed.certificate.holds()) {
       if (!nearest || shortfall_of(dressed.certificate) < shortfall_of(nearest->certificate))

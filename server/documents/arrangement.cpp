@@ -137,7 +137,9 @@ arrange::Arrangement of_all(arrange::Arrangement some, const drape::DrapeInput& 
     const bool kept = index.size() < worn.pattern.panels.size() &&
                       worn.pattern.panels[index.size()].id == input.pattern.panels[p].id;
     if (!kept) continue;
-    placements[p] = some.placements[index.size()];
+    const auto now = static_cast<Index>(index.size());
+    if (!std::binary_search(some.unplaced.begin(), some.unplaced.end(), now))
+      placements[p] = some.placements[now];
     index.push_back(static_cast<Index>(p));
   }
   some.placements = std::move(placements);
@@ -178,7 +180,8 @@ Result<arrange::Arrangement> arrangement_of(const drape::DrapeInput& input) {
       TRY(mesh::make_panel_meshes(worn.pattern, worn.settings.particle_distance, {}));
   arrange::Arrangement made =
       TRY(arrange::arrange({worn.pattern, meshes, worn.bodies, drape::names_left_out(worn)}));
-  return worn.left_out.empty() ? std::move(made) : of_all(std::move(made), input, worn);
+  const bool all = worn.left_out.empty() && made.unplaced.empty();
+  return all ? std::move(made) : of_all(std::move(made), input, worn);
 }
 
 void take_arrangement(const arrange::Arrangement& made, const pattern::Pattern& pattern,
