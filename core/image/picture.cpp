@@ -6,15 +6,12 @@
 #include <utility>
 
 namespace toile::image {
-namespace {
 
 double linear_from_srgb(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
 double srgb_from_linear(double c) {
   return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
 }
-
-}  // namespace
 
 Picture turned(Picture picture, int orientation) {
   if (orientation < 2 || orientation > 8) return picture;

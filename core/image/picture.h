@@ -14,6 +14,10 @@ struct Picture {
   friend bool operator==(const Picture&, const Picture&) = default;
 };
 
+/// Light of a number of sRGB, and back, both 0 to 1 (IEC 61966-2-1).
+double linear_from_srgb(double c);
+double srgb_from_linear(double c);
+
 /// A picture turned as a camera says how it was held: 1 to 8, the numbers of EXIF's tag Orientation; any
 /// other leaves it. From 5 on width and height change places.
 Picture turned(Picture picture, int orientation);

@@ -190,6 +190,19 @@ struct RenderOptions {
 /// Takes a still of what a drape has left.
 ExitCode render_command(const RenderOptions& options);
 
+struct ExportOptions {
+  std::string source;        ///< as of a movie
+  std::string out;           ///< the file; its name tells the format
+  std::string unit;          ///< mm, cm or m; empty: as suits the format
+  std::optional<double> at;  ///< s of simulated time; nothing: the end
+  bool body = false;         ///< with the bodies
+  bool welded = false;       ///< one surface, sewn vertices once
+  bool json = false;
+};
+
+/// Writes the model of a drape for other programs.
+ExitCode export_command(const ExportOptions& options);
+
 struct VerifyOptions {
   std::string source;   ///< folder of results, or its manifest.json
   std::string project;  ///< path of the document; empty: where the manifest says

@@ -74,6 +74,28 @@ CLI::App* add_render(CLI::App& app, RenderOptions& still) {
   return verb;
 }
 
+CLI::App* add_export(CLI::App& app, ExportOptions& model) {
+  CLI::App* verb = app.add_subcommand("export", "Write the model of a drape for other programs");
+  verb->add_option("result", model.source, "Folder that toile drape has left, its drape.film, or a trace")
+      ->required();
+  verb->add_option("-o,--out", model.out, "File to write: .ply, .stl, .obj (a .mtl comes with it) or .dae")
+      ->required();
+  verb->add_flag("--body", model.body, "With the body");
+  verb->add_flag("--welded", model.welded, "One surface, sewn edges joined, instead of one a piece");
+  verb->add_option("--unit", model.unit, "Of the numbers in the file (default: m, of STL mm)")
+      ->check(CLI::IsMember({"mm", "cm", "m"}));
+  verb->add_option("--at", model.at, "How it was at this time of the drape, s (default: at its end)");
+  verb->add_flag("--json", model.json, "Print as JSON, errors as well");
+  verb->footer(
+      std::string("final.glb has pictures and normals; this is for what does not take it. y is up.\n\n"
+                  "Examples:\n"
+                  "  toile export out/skirt --out skirt.ply\n"
+                  "  toile export out/skirt --welded --body --out print.stl\n"
+                  "  toile export out/skirt --at 0.5 --out sewing.obj\n\n") +
+      kExitCodes);
+  return verb;
+}
+
 CLI::App* add_verify(CLI::App& app, VerifyOptions& verify) {
   CLI::App* verb = app.add_subcommand(
       "verify", "Drape again what results were made of, and see that the bytes are the same");
@@ -95,11 +117,13 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& verify) {
 ResultVerbs::ResultVerbs(CLI::App& app)
     : movie_(add_movie(app, movie_options_)),
       render_(add_render(app, render_options_)),
+      export_(add_export(app, export_options_)),
       verify_(add_verify(app, verify_options_)) {}
 
 std::optional<ExitCode> ResultVerbs::run() const {
   if (movie_->parsed()) return movie_command(movie_options_);
   if (render_->parsed()) return render_command(render_options_);
+  if (export_->parsed()) return export_command(export_options_);
   if (verify_->parsed()) return verify_command(verify_options_);
   return std::nullopt;
 }

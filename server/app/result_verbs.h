@@ -24,9 +24,11 @@ class ResultVerbs {
  private:
   MovieOptions movie_options_;
   RenderOptions render_options_;
+  ExportOptions export_options_;
   VerifyOptions verify_options_;
   const CLI::App* movie_;
   const CLI::App* render_;
+  const CLI::App* export_;
   const CLI::App* verify_;
 };
 

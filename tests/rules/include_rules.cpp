@@ -91,7 +91,7 @@ struct Door {
 
 const std::vector<Door>& doors() {
   static const std::vector<Door> all{
-      {"assimp/", "assimp", {"core/body/mesh_import/load."}, false},
+      {"assimp/", "assimp", {"core/body/mesh_import/load.", "core/exports/model_file."}, false},
       {"Eigen/",
        "Eigen",
        {"core/body/mannequin/broyden.", "core/dressing/shape_solver.", "core/pattern/fit_cubic.",

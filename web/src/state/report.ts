@@ -118,6 +118,7 @@ const kKnown: [string, string, string][] = [
   ['rest.obj', 'Rest OBJ', 'The flat pieces with the same vertices'],
   ['body.obj', 'Body OBJ', 'The body it hangs on'],
   ['report.json', 'Report', 'Every figure of this drape as JSON'],
+  ['manifest.json', 'Manifest', 'What it was made of and what came out, by hashes: toile verify drapes it again'],
   ['sewn.json', 'Sewn pairs', 'Which vertices are sewn together'],
 ];
 
