@@ -18,6 +18,7 @@ import {
   waitForStandstill,
   waitForState,
 } from './browser.mjs';
+import { assertValidGlb } from './models.mjs';
 import { checks, shareOfBlue } from './pictures.mjs';
 import { Service, root } from './service.mjs';
 import { kPatience, steps, until } from './steps.mjs';
@@ -204,7 +205,9 @@ describe('the page', () => {
       const link = links.find((one) => one.href.endsWith(`/jobs/${id}/results/${name}`));
       assert.ok(link, `${name} is offered`);
       assert.match(link.size, /^[\d.]+ (B|kB|MB)$/);
-      assert.equal((await fetch(link.href)).status, 200);
+      const file = await fetch(link.href);
+      assert.equal(file.status, 200);
+      if (name === 'final.glb') await assertValidGlb(new Uint8Array(await file.arrayBuffer()));
     }
     await page.locator('.rail .thumb img').first().waitFor();
     await waitForCalm(page);
