@@ -229,7 +229,8 @@ bool DrapeRun::ends_badly() const {
                        [&](const preflight::Finding& f) { return f.kind == kind; });
   };
   // What is too wide falls from any start.
-  const bool amiss = told(preflight::FindingKind::kRingOff) || told(preflight::FindingKind::kElsewhere);
+  const bool amiss = told(preflight::FindingKind::kRingOff) || told(preflight::FindingKind::kElsewhere) ||
+                     told(preflight::FindingKind::kNeckShut);
   return amiss && !told(preflight::FindingKind::kOnGround);
 }
 

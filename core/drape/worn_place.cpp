@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "core/pattern/seams/piece_words.h"
 
@@ -13,19 +16,68 @@ namespace {
 constexpr double kOnShoulder = 0.02, kBeyondShoulder = 0.015;
 /// Bodices reach at least as high between waist (0) and bust (1); those that only hang on the hips do not.
 constexpr double kLowestTop = 0.3;
-constexpr double kFarFromArm = 0.15;  // m, from the arm's middle line to the nearest of a sleeve
+constexpr double kWiderThanArmhole = 1.15;  // openings for head and arm are wider than this
+constexpr double kFarFromArm = 0.15;        // m, from the arm's middle line to the nearest of a sleeve
 
 std::span<const Vec3> panel_of(const sewing::GarmentMesh& garment, std::span<const Vec3> x, std::size_t p) {
   const auto first = static_cast<std::size_t>(garment.first_vertex[p]);
   return x.subspan(first, static_cast<std::size_t>(garment.first_vertex[p + 1]) - first);
 }
 
+dressing::Enclosure around(std::initializer_list<dressing::Limb> limbs) {
+  dressing::Enclosure these;
+  for (const dressing::Limb limb : limbs) these.times[limb] = 1;
+  return these;
+}
+
 bool goes_around(std::span<const dressing::WornRing> rings, dressing::Limb arm) {
-  return std::any_of(rings.begin(), rings.end(), [&](const dressing::WornRing& ring) {
-    dressing::Enclosure alone;
-    alone.times[arm] = 1;
-    return ring.around == alone;
-  });
+  return std::any_of(rings.begin(), rings.end(),
+                     [&](const dressing::WornRing& ring) { return ring.around == around({arm}); });
+}
+
+/// The other's armhole, where the head goes through this ring together with one arm alone.
+std::optional<dressing::Limb> beside_head(const dressing::WornRing& ring) {
+  if (ring.around == around({dressing::kHead, dressing::kLeftArm})) return dressing::kRightArm;
+  if (ring.around == around({dressing::kHead, dressing::kRightArm})) return dressing::kLeftArm;
+  return std::nullopt;
+}
+
+/// What bares one shoulder is open from the neck over the arm, wider than the armhole across by all of a
+/// neck. An opening as wide as that armhole is the other armhole, and the head should have one of its own.
+bool head_in_armhole(const dressing::WornRing& ring, std::span<const dressing::WornRing> rings) {
+  const std::optional<dressing::Limb> other = beside_head(ring);
+  return other && std::any_of(rings.begin(), rings.end(), [&](const dressing::WornRing& r) {
+           return r.around == around({*other}) && ring.girth < kWiderThanArmhole * r.girth;
+         });
+}
+
+/// Both arms are in the garment, and neither head nor legs. The border of a jacket that is open in front goes
+/// around the arms alone, too, but along the neck; a hem does not.
+bool head_in_nothing(const measure::BodyFigure& figure, const dressing::WornRing& ring,
+                     std::span<const Vec3> x) {
+  if (!(ring.around == around({dressing::kLeftArm, dressing::kRightArm}))) return false;
+  const double armpits = std::min(figure.armpit[0].y, figure.armpit[1].y);
+  return std::none_of(ring.vertices.begin(), ring.vertices.end(), [&](Index v) { return x[v].y > armpits; });
+}
+
+void tell_neck_shut(const DrapeInput& input, const measure::BodyFigure& figure,
+                    const sewing::GarmentMesh& garment, std::span<const Vec3> x,
+                    std::span<const dressing::WornRing> rings, preflight::Findings& findings) {
+  for (const dressing::WornRing& ring : rings) {
+    const bool in_armhole = head_in_armhole(ring, rings);
+    if (!in_armhole && !head_in_nothing(figure, ring, x)) continue;
+    preflight::Concerns about;
+    for (const Index v : ring.vertices) {
+      preflight::Concern piece = preflight::piece_named(input.pattern.panels[garment.panel_of_vertex[v]].id);
+      if (std::find(about.begin(), about.end(), piece) == about.end()) about.push_back(std::move(piece));
+    }
+    findings.push_back(preflight::found(
+        preflight::FindingKind::kNeckShut,
+        std::string(in_armhole ? "the head goes through an armhole together with the arm"
+                               : "the arms are in the garment, but neither the head nor the legs") +
+            ": its neck is sewn shut or too narrow; take the seam there away",
+        std::move(about), x[ring.vertices.front()]));
+  }
 }
 
 /// Whether any cloth lies over the shoulder between the neck and its outer end.
@@ -106,6 +158,7 @@ preflight::Findings out_of_place(const DrapeInput& input, const measure::BodyFig
                                         {}, figure.shoulder[side]));
   }
   tell_strayed(input, figure, garment, x, findings);
+  tell_neck_shut(input, figure, garment, x, rings, findings);
   return findings;
 }
 

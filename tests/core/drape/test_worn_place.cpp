@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/drape/drape_start.h"
+#include "core/drape/worn_place.h"
 #include "core/drape/worn_verdict.h"
 #include "tests/core/arrange/garments.h"
 #include "tests/core/drape/heap.h"
@@ -77,6 +78,48 @@ TEST(WornPlace, ASleeveAroundTheHipsIsNotWorn) {
   EXPECT_EQ(skirt.judged(test::person()).worn, drape::Worn::kYes);
   skirt.input.pattern.panels[0].id = "left_sleeve";
   EXPECT_TRUE(told(skirt.judged(test::person()).findings, preflight::FindingKind::kElsewhere));
+}
+
+/// What is found when the garment's borders go around these limbs, each with its girth (m).
+preflight::Findings found_with(const OnBody& shirt,
+                               const std::vector<std::pair<std::vector<dressing::Limb>, double>>& borders) {
+  std::vector<dressing::WornRing> rings;
+  for (const auto& [limbs, girth] : borders) {
+    dressing::WornRing& ring = rings.emplace_back();
+    ring.girth = girth;
+    ring.right = true;
+    for (const dressing::Limb limb : limbs) ring.around.times[limb] = 1;
+    const auto low =
+        std::min_element(shirt.x.begin(), shirt.x.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
+    ring.vertices = {static_cast<Index>(low - shirt.x.begin())};
+  }
+  return drape::out_of_place(shirt.input, test::person().figure, shirt.start.placed.garment, shirt.x,
+                             drape::tops_of(shirt.start.placed.garment, shirt.x), rings);
+}
+
+TEST(WornPlace, AHeadThatGoesThroughAnArmholeHasNoNeck) {
+  using enum dressing::Limb;
+  const OnBody shirt(test::shirt());
+  const auto neck_shut = [&](const std::vector<std::pair<std::vector<dressing::Limb>, double>>& borders) {
+    return told(found_with(shirt, borders), preflight::FindingKind::kNeckShut);
+  };
+  EXPECT_TRUE(neck_shut({{{kHead, kRightArm}, 0.47}, {{kLeftArm}, 0.46}, {{kLeftLeg, kRightLeg}, 1.1}}));
+  EXPECT_TRUE(neck_shut({{{kHead, kLeftArm}, 0.46}, {{kRightArm}, 0.46}, {{kLeftLeg, kRightLeg}, 1.1}}));
+  EXPECT_FALSE(neck_shut({{{kHead, kRightArm}, 0.8}, {{kLeftArm}, 0.46}, {{kLeftLeg, kRightLeg}, 1.1}}))
+      << "one shoulder is bare";
+  EXPECT_FALSE(
+      neck_shut({{{kHead}, 0.5}, {{kRightArm}, 0.46}, {{kLeftArm}, 0.46}, {{kLeftLeg, kRightLeg}, 1}}));
+}
+
+TEST(WornPlace, ArmsInAGarmentThatHasNeitherHeadNorLegsAreNoWayToWearIt) {
+  using enum dressing::Limb;
+  const OnBody shirt(test::shirt());
+  const auto apron = found_with(shirt, {{{kLeftArm, kRightArm}, 1.1}, {{kLeftArm}, 0.4}, {{kRightArm}, 0.4}});
+  EXPECT_TRUE(told(apron, preflight::FindingKind::kNeckShut));
+  // The border of an open jacket runs on along the neck.
+  const OnBody jacket(test::shirt(), {0, 1, 0});
+  const auto open = found_with(jacket, {{{kLeftArm, kRightArm}, 2.6}, {{kLeftArm}, 0.4}, {{kRightArm}, 0.4}});
+  EXPECT_FALSE(told(open, preflight::FindingKind::kNeckShut));
 }
 
 }  // namespace
