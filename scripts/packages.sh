@@ -3,7 +3,7 @@
 
 build_packages=(
   g++ cmake ninja-build pkg-config ccache
-  libeigen3-dev nlohmann-json3-dev libassimp-dev libosmesa6-dev libcli11-dev libpng-dev zlib1g-dev libjpeg62-turbo-dev libxxhash-dev libsqlite3-dev libsodium-dev libssl-dev libboost1.81-dev libboost-url1.81-dev libspdlog-dev
+  libeigen3-dev nlohmann-json3-dev libassimp-dev libosmesa6-dev libcli11-dev libpng-dev zlib1g-dev libjpeg62-turbo-dev libhpdf-dev libxxhash-dev libsqlite3-dev libsodium-dev libssl-dev libboost1.81-dev libboost-url1.81-dev libspdlog-dev
   libgtest-dev librapidcheck-dev libbenchmark-dev
 )
 run_packages=(ffmpeg)  # a program of its own, for movies; all else works without it

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/markup.h"
 #include "core/base/text.h"
 
 namespace toile::exports {
@@ -22,24 +23,6 @@ th:first-child, td:first-child, td.words { text-align: left; } tr.too_tight td {
 tr.stretched td { background: #fdf3d9; } li.warning { color: #8a5a00; } li.error { color: #a3221b; }
 footer { margin-top: 2rem; color: #777; font-size: .8rem; overflow-wrap: anywhere; }
 )";
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 /// RFC 4648.
 std::string base64(std::string_view bytes) {
@@ -74,7 +57,7 @@ const std::vector<JsonValue>& list_of(const JsonValue& in, std::string_view key)
 std::string verdict(const JsonValue& report) {
   const JsonValue* settled = report.find("settled");
   const bool rests = settled != nullptr && settled->boolean() != nullptr && *settled->boolean();
-  std::string out = rests ? "At rest" : "Not at rest (" + escaped(text_of(report, "stop_reason")) + ")";
+  std::string out = rests ? "At rest" : "Not at rest (" + in_markup(text_of(report, "stop_reason")) + ")";
   const std::string worn = text_of(report, "worn");
   if (worn == "yes") out += ", worn";
   if (worn == "partly") out += ", worn but for an open seam";
@@ -86,7 +69,7 @@ std::string pictures_part(std::span<const PagePicture> pictures) {
   if (pictures.empty()) return "";
   std::string out = "<div class=\"pictures\">\n";
   for (const PagePicture& p : pictures) {
-    const std::string title = escaped(p.title);
+    const std::string title = in_markup(p.title);
     for (const std::string& part :
          {std::string("<figure><img alt=\""), title, std::string("\" src=\"data:image/png;base64,"),
           base64(p.png), std::string("\"><figcaption>"), title, std::string("</figcaption></figure>\n")}) {
@@ -116,10 +99,10 @@ std::string fit_part(const JsonValue& report) {
       "<h2>Fit</h2>\n<table><tr><th>cm</th><th>body</th><th>garment, flat</th><th>ease</th>"
       "<th>as worn</th><th>taken above</th><th></th></tr>\n";
   for (const JsonValue& line : lines) {
-    out += "<tr class=\"" + escaped(text_of(line, "fit")) + "\">" +
-           cell(words_of(escaped(text_of(line, "at")))) + centimetres(line, "body_mm") +
+    out += "<tr class=\"" + in_markup(text_of(line, "fit")) + "\">" +
+           cell(words_of(in_markup(text_of(line, "at")))) + centimetres(line, "body_mm") +
            centimetres(line, "garment_mm") + centimetres(line, "ease_mm") + centimetres(line, "worn_mm") +
-           centimetres(line, "shifted_mm") + cell(escaped(text_of(line, "text")), " class=\"words\"") +
+           centimetres(line, "shifted_mm") + cell(in_markup(text_of(line, "text")), " class=\"words\"") +
            "</tr>\n";
   }
   return out + "</table>\n";
@@ -132,8 +115,8 @@ std::string findings_part(const JsonValue& report) {
     const JsonValue* repaired = f.find("repaired");
     if (repaired != nullptr && repaired->boolean() != nullptr && *repaired->boolean()) continue;
     const std::string where = text_of(f, "where");
-    out += "<li class=\"" + escaped(text_of(f, "severity")) + "\">" +
-           (where.empty() ? "" : "<b>" + escaped(where) + ":</b> ") + escaped(text_of(f, "message")) +
+    out += "<li class=\"" + in_markup(text_of(f, "severity")) + "\">" +
+           (where.empty() ? "" : "<b>" + in_markup(where) + ":</b> ") + in_markup(text_of(f, "message")) +
            "</li>\n";
   }
   return out.empty() ? "" : "<h2>Findings</h2>\n<ul>\n" + out + "</ul>\n";
@@ -176,11 +159,11 @@ std::string figures_part(const JsonValue& report) {
 }  // namespace
 
 std::string report_page(const JsonValue& report, std::span<const PagePicture> pictures) {
-  const std::string name = text_of(report, "name"), title = escaped(name.empty() ? "Drape" : name);
+  const std::string name = text_of(report, "name"), title = in_markup(name.empty() ? "Drape" : name);
   return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
          "</title><style>" + std::string(kStyle) + "</style></head><body>\n<h1>" + title + "</h1>\n" +
          verdict(report) + pictures_part(pictures) + fit_part(report) + findings_part(report) +
-         figures_part(report) + "<footer>Positions " + escaped(text_of(report, "hash")) +
+         figures_part(report) + "<footer>Positions " + in_markup(text_of(report, "hash")) +
          "</footer>\n</body></html>\n";
 }
 

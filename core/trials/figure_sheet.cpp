@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/markup.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/trials/fabric_trial.h"
@@ -14,21 +15,9 @@ namespace {
 
 std::string number(double value, int digits = 1) { return fixed_text(value, digits); }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string text_at(double x, double y, const std::string& text, const char* style = "") {
-  return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" " + style + ">" + escaped(text) + "</text>\n";
+  return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" " + style + ">" + in_markup(text) +
+         "</text>\n";
 }
 
 std::string circle_at(Vec2 c, double r, const char* style) {

@@ -134,8 +134,9 @@ struct PatternImportOptions {
 ExitCode pattern_import_command(const PatternImportOptions& options);
 
 struct PatternExportOptions {
-  std::string project;  ///< path of the document
-  std::string out;      ///< path of the DXF file
+  std::string project;       ///< path of the document
+  std::string out;           ///< path of the file: .dxf, .svg or .pdf
+  std::string paper = "a4";  ///< of a .pdf
   bool json = false;
 };
 

@@ -196,13 +196,22 @@ CLI::App* add_pattern_import(CLI::App& pattern, PatternImportOptions& import) {
 }
 
 CLI::App* add_pattern_export(CLI::App& pattern, PatternExportOptions& exporting) {
-  CLI::App* verb = pattern.add_subcommand("export", "Write a project's pieces as DXF with AAMA's layers");
+  CLI::App* verb = pattern.add_subcommand("export", "Write a project's pieces as DXF, or to print at 1:1");
   verb->add_option("project", exporting.project, "Project document")->required();
-  verb->add_option("-o,--out", exporting.out, "DXF file to write")->required();
+  verb->add_option("-o,--out", exporting.out,
+                   "File to write: .dxf (AAMA's layers), .svg (one sheet) or .pdf (pages)")
+      ->required();
+  verb->add_option("--paper", exporting.paper, "Of a .pdf: its pages are glued to one sheet")
+      ->check(CLI::IsMember({"a4", "a3", "a0", "letter"}))
+      ->capture_default_str();
   verb->add_flag("--json", exporting.json, "Print as JSON");
-  verb->footer(std::string("Examples:\n"
-                           "  toile pattern export samples/skirt/project.json --out skirt.dxf\n\n") +
-               kExitCodes);
+  verb->footer(
+      std::string(
+          "Printed sheets show the lines that are sewn, without seam allowance, and a square to measure.\n\n"
+          "Examples:\n"
+          "  toile pattern export samples/skirt/project.json --out skirt.dxf\n"
+          "  toile pattern export samples/skirt/project.json --out skirt.pdf --paper a3\n\n") +
+      kExitCodes);
   return verb;
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/write_file.h"
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/dxf/write.h"
+#include "core/print/print.h"
 #include "core/project/create/create.h"
 #include "core/project/create/import_report.h"
 #include "core/project/resolve/resolve.h"
@@ -122,6 +123,15 @@ std::vector<json::JsonValue> proposals_of(const dxf::DxfDrawing& drawing) {
   return made ? create::seams_json(*made) : std::vector<json::JsonValue>{};
 }
 
+/// As the file's name ends; DXF where it tells nothing else.
+Result<std::string> exported(const pattern::Pattern& pattern, const std::string& title,
+                             const PatternExportOptions& options) {
+  const std::string ending = lower_case(std::filesystem::path(options.out).extension().string());
+  if (ending == ".svg") return print::pattern_svg(pattern, title);
+  if (ending == ".pdf") return print::pattern_pdf(pattern, title, *print::paper_named(options.paper));
+  return dxf::write_dxf(pattern);
+}
+
 }  // namespace
 
 ExitCode pattern_import_command(const PatternImportOptions& options) {
@@ -144,7 +154,8 @@ ExitCode pattern_export_command(const PatternExportOptions& options) {
   const Result<resolve::ResolvedProject> read = resolve::read_project(options.project, own_mesh_importer());
   if (!read) return fail(read.error(), options.json);
   const pattern::Pattern& pattern = read->input.pattern;
-  const Result<std::string> text = dxf::write_dxf(pattern);
+  const std::string& name = read->project.name;
+  const Result<std::string> text = exported(pattern, name.empty() ? "Pattern" : name, options);
   if (!text) return fail(text.error(), options.json);
   if (Status written = write_file(options.out, *text); !written) return fail(written.error(), options.json);
   const std::size_t pieces = pattern.panels.size();
@@ -153,7 +164,7 @@ ExitCode pattern_export_command(const PatternExportOptions& options) {
                                                                      {"pieces", static_cast<double>(pieces)}})
                           .c_str());
   } else {
-    std::printf("%s: %zu pieces, millimetres, AAMA layers\n", options.out.c_str(), pieces);
+    std::printf("%s: %zu pieces, millimetres\n", options.out.c_str(), pieces);
   }
   return kDone;
 }

@@ -130,6 +130,17 @@ const char* const kSpecification = R"({"pattern": {"panels": {
     "stitches": [[{"panel": "front", "edge": 1}, {"panel": "back", "edge": 2}],
                  [{"panel": "front", "edge": 3}, {"panel": "back", "edge": 0}]]}})";
 
+TEST(PatternCommand, APatternIsPrintedAsItsFileIsNamed) {
+  const fs::path folder = fresh_folder("toile_pattern_print");
+  const std::string project = std::string(TOILE_SOURCE_DIR) + "/samples/skirt/project.json";
+  ASSERT_EQ(run_toile({"pattern", "export", project, "--out", folder / "a.pdf", "--paper", "a3"}).code, 0);
+  EXPECT_TRUE(text_of(folder / "a.pdf").starts_with("%PDF-"));
+  ASSERT_EQ(run_toile({"pattern", "export", project, "--out", folder / "a.SVG"}).code, 0);
+  EXPECT_NE(text_of(folder / "a.SVG").find("<svg"), std::string::npos);
+  EXPECT_EQ(run_toile({"pattern", "export", project, "--out", folder / "b.pdf", "--paper", "a9"}).code, 2);
+  fs::remove_all(folder);
+}
+
 TEST(PatternCommand, ImportReadsASpecificationWithItsSeams) {
   const fs::path folder = fresh_folder("toile_specification");
   write_text(folder / "tube.json", kSpecification);
