@@ -12,8 +12,12 @@
 namespace toile::drape {
 namespace {
 
-/// m that cloth on a shoulder may lie below its outer end, or beyond it.
-constexpr double kOnShoulder = 0.02, kBeyondShoulder = 0.015;
+/// Cloth is on a shoulder where it crosses the ridge from the neck to the shoulder's outer end within this
+/// share of it: straps that have slid hang over the arm's root, beyond 0.85 in what was looked at, others
+/// within 0.75.
+constexpr double kInnerShoulder = 0.8;
+/// m from the straight line between the ridge's ends: below, above (the neck's muscle), and across.
+constexpr double kBelowRidge = 0.02, kAboveRidge = 0.06, kAcrossRidge = 0.04;
 /// Bodices reach at least as high between waist (0) and bust (1); those that only hang on the hips do not.
 constexpr double kLowestTop = 0.3;
 constexpr double kWiderThanArmhole = 1.15;  // openings for head and arm are wider than this
@@ -80,14 +84,15 @@ void tell_neck_shut(const DrapeInput& input, const measure::BodyFigure& figure,
   }
 }
 
-/// Whether any cloth lies over the shoulder between the neck and its outer end.
+/// Whether any cloth lies on the shoulder's ridge, nearer to the neck than its outer end.
 bool lies_on_shoulder(const measure::BodyFigure& figure, std::size_t side, std::span<const Vec3> x) {
-  const double from = std::abs(figure.neck_side[side].x - figure.middle);
-  const double to = std::abs(figure.shoulder[side].x - figure.middle) + kBeyondShoulder;
-  const double sign = side == measure::kWearersLeft ? 1 : -1;
+  const Vec3 neck = figure.neck_side[side], ridge = figure.shoulder[side] - neck;
+  if (ridge.x == 0) return true;  // no shoulder to slide off
   return std::any_of(x.begin(), x.end(), [&](Vec3 p) {
-    const double out = sign * (p.x - figure.middle);
-    return out >= from && out <= to && p.y >= figure.shoulder[side].y - kOnShoulder;
+    const double share = (p.x - neck.x) / ridge.x;
+    const Vec3 off = p - (neck + ridge * share);
+    return share >= 0 && share <= kInnerShoulder && off.y >= -kBelowRidge && off.y <= kAboveRidge &&
+           std::abs(off.z) <= kAcrossRidge;
   });
 }
 

@@ -48,6 +48,7 @@ TEST(WornPlace, AShirtThatLiesBelowBothShouldersHasSlidOffThem) {
   const OnBody shirt(test::shirt());
   dressing::Person wearer = test::person();
   for (Vec3& shoulder : wearer.figure.shoulder) shoulder.y += 0.15;
+  for (Vec3& neck : wearer.figure.neck_side) neck.y += 0.15;
   const drape::WornVerdict fell = shirt.judged(wearer, 0.15);
   EXPECT_EQ(fell.worn, drape::Worn::kNo);
   EXPECT_EQ(std::count_if(
@@ -78,6 +79,29 @@ TEST(WornPlace, ASleeveAroundTheHipsIsNotWorn) {
   EXPECT_EQ(skirt.judged(test::person()).worn, drape::Worn::kYes);
   skirt.input.pattern.panels[0].id = "left_sleeve";
   EXPECT_TRUE(told(skirt.judged(test::person()).findings, preflight::FindingKind::kElsewhere));
+}
+
+/// The cloth that lay nearer to the neck hangs down; only what lies over the arms' roots is as high as
+/// before.
+TEST(WornPlace, StrapsOverTheArmsRootsHaveSlidOffTheShoulders) {
+  OnBody top(test::shirt());
+  const std::vector<double> tops = drape::tops_of(top.start.placed.garment, top.x);
+  const measure::BodyFigure& figure = test::person().figure;
+  std::vector<dressing::WornRing> rings(2);
+  rings[0].around.times[dressing::kLeftArm] = rings[1].around.times[dressing::kRightArm] = 1;
+  for (dressing::WornRing& ring : rings) ring.vertices = {0};
+  const auto slid = [&](double reach) {
+    std::vector<Vec3> x = top.x;
+    for (Vec3& p : x)
+      for (const std::size_t side : {measure::kWearersLeft, measure::kWearersRight})
+        if (std::abs(p.x - figure.middle) < reach * std::abs(figure.shoulder[side].x - figure.middle) &&
+            p.y > figure.shoulder[side].y - 0.1)
+          p.y -= 0.2;
+    return std::ssize(drape::out_of_place(top.input, figure, top.start.placed.garment, x, tops, rings));
+  };
+  EXPECT_EQ(slid(0), 0);
+  EXPECT_EQ(slid(0.7), 0) << "a wide neckline leaves straps on the shoulders";
+  EXPECT_EQ(slid(0.95), 2);
 }
 
 /// What is found when the garment's borders go around these limbs, each with its girth (m).
