@@ -61,9 +61,7 @@ Result<manifest::Manifest> read_manifest(const fs::path& path) {
                  "cancelled)",
                  path.string(), ErrorKind::kInput};
   Result<manifest::Manifest> read = manifest::parse_manifest(*text);
-  if (!read)
-    return Error{read.error().code, read.error().message, path.string() + read.error().where,
-                 ErrorKind::kInput};
+  if (!read) return json::error_at(path.string(), read.error());
   return read;
 }
 

@@ -7,6 +7,7 @@
 #include "core/manifest/manifest.h"
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"
+#include "tests/app/serving.h"
 
 namespace toile {
 namespace {
@@ -112,6 +113,15 @@ TEST_F(VerifyCommand, SaysWhatIsMissingAndTheWayOut) {
   EXPECT_TRUE(has(none.err, "manifest.file")) << none.err;
 }
 
+TEST_F(VerifyCommand, SaysWhereAManifestIsDamaged) {
+  change("out/manifest.json", "\"steps\"", "\"stepz\"");
+  const Ran run = verified();
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(has(run.err, "manifest.damaged: the key \"stepz\" is not known")) << run.err;
+  write_text(folder / "out" / manifest::kManifestFile, "{\n");
+  EXPECT_TRUE(has(verified().err, "manifest.json: line 2")) << verified().err;
+}
+
 TEST_F(VerifyCommand, LooksIntoNoOtherFolder) {
   change("out/manifest.json", "\"final.obj\"", "\"../project.json\"");
   const Ran run = verified({"--files-only"});
@@ -129,6 +139,19 @@ TEST_F(VerifyCommand, FollowsADrapeThatWentOnFromAnother) {
   const Ran lost = run_toile({"verify", folder / "on"});
   EXPECT_EQ(lost.code, 2);
   EXPECT_TRUE(has(lost.err, "--from")) << lost.err;
+}
+
+TEST_F(VerifyCommand, AJobOfTheServiceHasTheBytesOfTheCommandLine) {
+  Serving server(folder / "data", {"--no-sample", "--workers", "1"});
+  ASSERT_TRUE(server.up()) << server.said();
+  const Ran sent = run_toile(
+      {"submit", folder / "project.json", "--server", server.url(), "--watch", "--out", folder / "remote"});
+  EXPECT_TRUE(fs::exists(folder / "remote" / manifest::kManifestFile)) << sent.out << sent.err;
+  const Ran unnamed = run_toile({"verify", folder / "remote"});
+  EXPECT_EQ(unnamed.code, 2) << "a store does not tell where a document stood";
+  const Ran run = run_toile({"verify", folder / "remote", "--project", folder / "project.json"});
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_TRUE(has(run.out, "7 files again in the same bytes")) << run.out;
 }
 
 }  // namespace
