@@ -8,6 +8,8 @@ namespace toile::collision {
 namespace {
 
 constexpr double kGridPerMetre = 1 << 20;
+/// Share of the triangles up to which those that moved are asked for one by one.
+constexpr double kFewMoved = 0.3;
 
 using Int128 = __int128;
 
@@ -20,14 +22,15 @@ int orientation_exact(Int128 ax, Int128 ay, Int128 az, Int128 bx, Int128 by, Int
   return sign_of(ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx));
 }
 
+// The grid moves a point by up to half a unit.
+geometry::Box3 box_of(const Tri& t, std::span<const Vec3> positions) {
+  return geometry::box_around({positions[t[0]], positions[t[1]], positions[t[2]]}, 1 / kGridPerMetre);
+}
+
 std::vector<geometry::Box3> boxes_of(std::span<const Tri> triangles, std::span<const Vec3> positions) {
   std::vector<geometry::Box3> boxes;
   boxes.reserve(triangles.size());
-  // The grid moves a point by up to half a unit.
-  for (const Tri& t : triangles) {
-    boxes.push_back(
-        geometry::box_around({positions[t[0]], positions[t[1]], positions[t[2]]}, 1 / kGridPerMetre));
-  }
+  for (const Tri& t : triangles) boxes.push_back(box_of(t, positions));
   return boxes;
 }
 
@@ -158,41 +161,98 @@ CrossingBody make_crossing_body(std::span<const Vec3> vertices, std::span<const 
           geometry::BoxGroups(boxes_of(triangles, vertices))};
 }
 
-void CrossingCounter::place(std::span<const Vec3> positions) {
-  points_ = grid_of(positions);
-  faces_.clear();
-  for (const Tri& t : cloth_.triangles) faces_.push_back(face_of(corners(t, points_)));
-  const std::vector<geometry::Box3> boxes = boxes_of(cloth_.triangles, positions);
-  if (groups_.empty()) {
-    groups_ = geometry::BoxGroups(boxes);
-  } else {
-    groups_.refit(boxes);
+void CrossingCounter::find_moved(const std::vector<ExactPoint>& before) {
+  const auto same = [&](Index v) {
+    return before[v].x == points_[v].x && before[v].y == points_[v].y && before[v].z == points_[v].z;
+  };
+  moved_.clear();
+  has_moved_.assign(cloth_.triangles.size(), false);
+  for (std::size_t t = 0; t < cloth_.triangles.size(); ++t) {
+    const Tri& corners = cloth_.triangles[t];
+    if (!before.empty() && same(corners[0]) && same(corners[1]) && same(corners[2])) continue;
+    has_moved_[t] = true;
+    moved_.push_back(static_cast<Index>(t));
   }
 }
 
-std::vector<std::array<Index, 2>> CrossingCounter::with(const CrossingBody& body) const {
-  std::vector<std::array<Index, 2>> found;
+void CrossingCounter::place(std::span<const Vec3> positions) {
+  std::vector<ExactPoint> before = std::move(points_);
+  points_ = grid_of(positions);
+  find_moved(before);
+  faces_.resize(cloth_.triangles.size());
+  boxes_.resize(cloth_.triangles.size());
+  for (const Index t : moved_) {
+    faces_[t] = face_of(corners(cloth_.triangles[t], points_));
+    boxes_[t] = box_of(cloth_.triangles[t], positions);
+  }
+  // Faces point to their corners, which lie elsewhere now.
+  for (std::size_t t = 0; t < faces_.size(); ++t) faces_[t].corners = corners(cloth_.triangles[t], points_);
+  if (groups_.empty()) {
+    groups_ = geometry::BoxGroups(boxes_);
+  } else {
+    groups_.refit(boxes_, moved_);
+  }
+}
+
+bool CrossingCounter::few_moved() const {
+  return static_cast<double>(moved_.size()) <= kFewMoved * static_cast<double>(cloth_.triangles.size());
+}
+
+bool CrossingCounter::crosses(Index t, const CrossingBody& body, Index s) const {
+  const Corners skin = corners(body.triangles[s], body.points);
+  return !all_aside(faces_[t], skin) && cross(faces_[t], face_of(skin));
+}
+
+bool CrossingCounter::cross_each_other(Index s, Index t) const {
+  const Meeting m = meeting_of(cloth_, cloth_.triangles[s], cloth_.triangles[t]);
+  if (m.shared > 1) return false;
+  const CrossingFace &a = faces_[s], &b = faces_[t];
+  return m.shared == 0 ? cross(a, b)
+                       : opposite_edge_crosses(a, m.corner_a, b) || opposite_edge_crosses(b, m.corner_b, a);
+}
+
+CrossingPairs CrossingCounter::with(const CrossingBody& body) const {
+  CrossingPairs found;
   groups_.pairs(body.groups, [&](Index t, Index s) {
-    const Corners skin = corners(body.triangles[s], body.points);
-    if (!all_aside(faces_[t], skin) && cross(faces_[t], face_of(skin))) found.push_back({t, s});
+    if (crosses(t, body, s)) found.push_back({t, s});
   });
   std::sort(found.begin(), found.end());
   return found;
 }
 
-std::vector<std::array<Index, 2>> CrossingCounter::with_itself() const {
-  std::vector<std::array<Index, 2>> found;
+CrossingPairs CrossingCounter::with(const CrossingBody& body, CrossingPairs before) const {
+  if (!few_moved()) return with(body);
+  std::erase_if(before, [&](const std::array<Index, 2>& pair) { return has_moved_[pair[0]]; });
+  for (const Index t : moved_) {
+    body.groups.query(boxes_[t], [&](Index s) {
+      if (crosses(t, body, s)) before.push_back({t, s});
+    });
+  }
+  std::sort(before.begin(), before.end());
+  return before;
+}
+
+CrossingPairs CrossingCounter::with_itself() const {
+  CrossingPairs found;
   groups_.self_pairs([&](Index s, Index t) {
-    const Meeting m = meeting_of(cloth_, cloth_.triangles[s], cloth_.triangles[t]);
-    if (m.shared > 1) return;
-    const CrossingFace &a = faces_[s], &b = faces_[t];
-    const bool crosses =
-        m.shared == 0 ? cross(a, b)
-                      : opposite_edge_crosses(a, m.corner_a, b) || opposite_edge_crosses(b, m.corner_b, a);
-    if (crosses) found.push_back({std::min(s, t), std::max(s, t)});
+    if (cross_each_other(s, t)) found.push_back({std::min(s, t), std::max(s, t)});
   });
   std::sort(found.begin(), found.end());
   return found;
+}
+
+CrossingPairs CrossingCounter::with_itself(CrossingPairs before) const {
+  if (!few_moved()) return with_itself();
+  std::erase_if(before,
+                [&](const std::array<Index, 2>& pair) { return has_moved_[pair[0]] || has_moved_[pair[1]]; });
+  for (const Index t : moved_) {
+    groups_.query(boxes_[t], [&](Index s) {
+      if (s == t || (has_moved_[s] && s < t)) return;  // asked from the other already
+      if (cross_each_other(s, t)) before.push_back({std::min(s, t), std::max(s, t)});
+    });
+  }
+  std::sort(before.begin(), before.end());
+  return before;
 }
 
 std::vector<std::array<Index, 2>> body_crossings(const Surface& cloth, std::span<const Vec3> positions,

@@ -42,12 +42,14 @@ struct CrossingBody {
 };
 CrossingBody make_crossing_body(std::span<const Vec3> vertices, std::span<const Tri> triangles);
 
+/// Pairs of triangles, in order.
+using CrossingPairs = std::vector<std::array<Index, 2>>;
+
 /// Pairs of triangles (cloth, body) that cross.
-std::vector<std::array<Index, 2>> body_crossings(const Surface& cloth, std::span<const Vec3> positions,
-                                                 const CrossingBody& body);
+CrossingPairs body_crossings(const Surface& cloth, std::span<const Vec3> positions, const CrossingBody& body);
 
 /// Pairs of cloth triangles that cross, first < second. Pairs that share two vertices or more cannot.
-std::vector<std::array<Index, 2>> self_crossings(const Surface& cloth, std::span<const Vec3> positions);
+CrossingPairs self_crossings(const Surface& cloth, std::span<const Vec3> positions);
 
 /// Counts for one cloth again and again while it moves: boxes are grouped once.
 class CrossingCounter {
@@ -57,11 +59,23 @@ class CrossingCounter {
   const Surface& cloth() const { return cloth_; }
   /// Where the cloth is now; needed first. As many positions (m) as the surface has vertices.
   void place(std::span<const Vec3> positions);
-  std::vector<std::array<Index, 2>> with(const CrossingBody& body) const;  ///< as body_crossings()
-  std::vector<std::array<Index, 2>> with_itself() const;                   ///< as self_crossings()
+  CrossingPairs with(const CrossingBody& body) const;  ///< as body_crossings()
+  CrossingPairs with_itself() const;                   ///< as self_crossings()
+  /// The same where `before` was the answer for the places before these: what did not move since is not
+  /// looked at again. Untangling moves a few triangles of many.
+  CrossingPairs with(const CrossingBody& body, CrossingPairs before) const;
+  CrossingPairs with_itself(CrossingPairs before) const;
 
  private:
+  void find_moved(const std::vector<ExactPoint>& before);
+  bool few_moved() const;
+  bool crosses(Index t, const CrossingBody& body, Index s) const;
+  bool cross_each_other(Index s, Index t) const;
+
   Surface cloth_;
+  std::vector<bool> has_moved_;  ///< which triangles did when they were placed last
+  std::vector<Index> moved_;     ///< the same as a list
+  std::vector<geometry::Box3> boxes_;
   std::vector<ExactPoint> points_;
   std::vector<CrossingFace> faces_;
   geometry::BoxGroups groups_;

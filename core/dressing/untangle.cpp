@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace toile::dressing {
 
@@ -36,8 +37,8 @@ class Untangler {
 
   Tangle look(const collision::CrossingBody& body) {
     counter_.place(x_);
-    with_itself_ = counter_.with_itself();
-    with_body_ = counter_.with(body);
+    with_itself_ = counter_.with_itself(std::move(with_itself_));
+    with_body_ = counter_.with(body, std::move(with_body_));
     return {static_cast<int>(with_body_.size()), static_cast<int>(with_itself_.size())};
   }
 
@@ -143,7 +144,7 @@ class Untangler {
   double spacing_;
   std::vector<Vec3>& x_;
   std::vector<Vec3> way_;
-  std::vector<std::array<Index, 2>> with_itself_, with_body_;
+  collision::CrossingPairs with_itself_, with_body_;
 };
 
 }  // namespace

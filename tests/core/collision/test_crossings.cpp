@@ -90,6 +90,35 @@ TEST(Crossings, CountsWhatBruteForceCounts) {
   EXPECT_EQ(static_cast<int>(between.size()), expected - count(first) - count(rest));
 }
 
+TEST(Crossings, WhatDidNotMoveNeedsNoLook) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(0, 1), size(-0.2, 0.2);
+  std::vector<Vec3> x;
+  std::vector<Tri> triangles;
+  for (Index t = 0; t < 300; ++t) {
+    const Vec3 centre{place(random), place(random), place(random)};
+    for (int k = 0; k < 3; ++k) x.push_back(centre + Vec3{size(random), size(random), size(random)});
+    triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  const collision::CrossingBody body =
+      collision::make_crossing_body(x, std::vector<Tri>(triangles.begin() + 200, triangles.end()));
+  triangles.resize(200);
+  const collision::Surface surface = collision::make_surface(triangles, static_cast<Index>(x.size()));
+  collision::CrossingCounter counter(surface);
+  collision::CrossingPairs itself, with_body;
+  std::uniform_int_distribution<std::size_t> any(0, 599);
+  for (const int moved : {0, 1, 20, 400, 3, 0}) {  // none, few, most of them
+    for (int i = 0; i < moved; ++i) x[any(random)] += Vec3{size(random), size(random), size(random)};
+    counter.place(x);
+    itself = counter.with_itself(std::move(itself));
+    with_body = counter.with(body, std::move(with_body));
+    EXPECT_GT(itself.size(), 20u);
+    EXPECT_GT(with_body.size(), 20u);
+    EXPECT_EQ(itself, collision::self_crossings(surface, x)) << moved;
+    EXPECT_EQ(with_body, collision::body_crossings(surface, x, body)) << moved;
+  }
+}
+
 TEST(Crossings, FindsAFoldedCornerOfTwoTrianglesThatShareAVertex) {
   // Two triangles meet in vertex 0; the far edge of the second is pushed through the first.
   const std::vector<Tri> triangles{{0, 1, 2}, {0, 3, 4}};
