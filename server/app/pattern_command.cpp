@@ -8,14 +8,14 @@
 #include "core/base/text.h"
 #include "core/base/write_file.h"
 #include "core/pattern/dxf/read.h"
-#include "core/pattern/dxf/write.h"
-#include "core/print/print.h"
+#include "core/print/paper.h"
 #include "core/project/create/create.h"
 #include "core/project/create/import_report.h"
 #include "core/project/resolve/resolve.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/mesh_reader.h"
+#include "server/documents/pattern_file.h"
 
 namespace toile::app {
 namespace {
@@ -124,12 +124,11 @@ std::vector<json::JsonValue> proposals_of(const dxf::DxfDrawing& drawing) {
 }
 
 /// As the file's name ends; DXF where it tells nothing else.
-Result<std::string> exported(const pattern::Pattern& pattern, const std::string& title,
-                             const PatternExportOptions& options) {
-  const std::string ending = lower_case(std::filesystem::path(options.out).extension().string());
-  if (ending == ".svg") return print::pattern_svg(pattern, title);
-  if (ending == ".pdf") return print::pattern_pdf(pattern, title, *print::paper_named(options.paper));
-  return dxf::write_dxf(pattern);
+documents::PatternFormat format_of(const std::string& file) {
+  const std::string ending = lower_case(std::filesystem::path(file).extension().string());
+  if (ending == ".svg") return documents::PatternFormat::kSvg;
+  if (ending == ".pdf") return documents::PatternFormat::kPdf;
+  return documents::PatternFormat::kDxf;
 }
 
 }  // namespace
@@ -154,8 +153,8 @@ ExitCode pattern_export_command(const PatternExportOptions& options) {
   const Result<resolve::ResolvedProject> read = resolve::read_project(options.project, own_mesh_importer());
   if (!read) return fail(read.error(), options.json);
   const pattern::Pattern& pattern = read->input.pattern;
-  const std::string& name = read->project.name;
-  const Result<std::string> text = exported(pattern, name.empty() ? "Pattern" : name, options);
+  const Result<std::string> text = documents::pattern_file(
+      pattern, read->project.name, format_of(options.out), *print::paper_named(options.paper));
   if (!text) return fail(text.error(), options.json);
   if (Status written = write_file(options.out, *text); !written) return fail(written.error(), options.json);
   const std::size_t pieces = pattern.panels.size();

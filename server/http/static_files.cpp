@@ -85,6 +85,7 @@ std::string content_type_of(const std::string& name) {
       {".obj", "model/obj"},
       {".glb", "model/gltf-binary"},
       {".dxf", "image/vnd.dxf"},
+      {".pdf", "application/pdf"},
       {".mp4", "video/mp4"},
       {".avi", "video/x-msvideo"},
   };

@@ -511,6 +511,20 @@ describe('the page', () => {
     await page.locator('.pattern-note.bad').waitFor({ state: 'detached' });
   });
 
+  it('takes the pattern home on paper', async () => {
+    const taking = page.getByRole('region', { name: 'Take out the pattern' });
+    await taking.getByLabel('Paper of the PDF').selectOption('a3');
+    const saved = page.waitForEvent('download');
+    await taking.getByRole('link', { name: 'PDF' }).focus();
+    await page.keyboard.press('Enter');
+    const file = await saved;
+    assert.match(file.suggestedFilename(), /\.pdf$/);
+    const bytes = readFileSync(await file.path());
+    assert.equal(bytes.subarray(0, 5).toString(), '%PDF-');
+    assert.match(bytes.toString('latin1'), /MediaBox \[ 0 0 841\.89/, 'A3 is 297 mm wide');
+    await shoot(page, '19-pattern-files');
+  });
+
   it('undoes and redoes with the keys', async () => {
     const edited = await shownProject();
     await page.locator('.plane').press('Control+z');

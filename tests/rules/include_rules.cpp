@@ -67,9 +67,9 @@ const std::map<std::string, Names>& table() {
       {"trials", {"collision", "drape", "fabric", "material", "mesh", "pattern", "sewing", "solver"}},
       {"exports", {"analysis", "drape", "fields", "geometry", "image", "json", "material", "mesh"}},
       {"documents",
-       {"arrange", "create",    "drape",   "dxf",    "editing",     "garmentcode", "geometry",  "image",
-        "json",    "mannequin", "measure", "mesh",   "mesh_import", "pattern",     "preflight", "project",
-        "proto",   "resolve",   "seams",   "sewing", "store",       "warm"}},
+       {"arrange", "create",    "drape",   "dxf",   "editing",     "garmentcode", "geometry",  "image",
+        "json",    "mannequin", "measure", "mesh",  "mesh_import", "pattern",     "preflight", "print",
+        "project", "proto",     "resolve", "seams", "sewing",      "store",       "warm"}},
       {"movie", {"drape", "fabric", "geometry", "image", "proto", "render", "sewing"}},
       {"jobs",
        {"analysis", "documents", "drape", "exports", "image", "json", "manifest", "mesh", "movie", "pattern",
@@ -77,7 +77,8 @@ const std::map<std::string, Names>& table() {
       {"ws", {"jobs", "json", "proto", "store"}},
       {"http", {"accounts", "jobs", "json", "shares", "store", "ws"}},
       {"handlers",
-       {"accounts", "documents", "exports", "fabric", "http", "image", "jobs", "json", "store", "ws"}},
+       {"accounts", "documents", "exports", "fabric", "http", "image", "jobs", "json", "print", "store",
+        "ws"}},
   };
   return rooms;
 }

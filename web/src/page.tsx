@@ -121,7 +121,7 @@ function Main() {
           <Splitter />
           <div class="side">
             <PatternPane />
-            <Inspector resultUrl={api.resultUrl} movies={api} />
+            <Inspector resultUrl={api.resultUrl} movies={api} files={api} />
           </div>
         </>
       )}

@@ -69,6 +69,7 @@ using ApiRoutes = std::vector<ApiRoute>;
 ApiRoutes health_routes();
 ApiRoutes asset_routes();
 ApiRoutes project_routes();
+ApiRoutes pattern_file_routes();
 ApiRoutes edit_routes();
 ApiRoutes body_routes();
 ApiRoutes fabric_routes();

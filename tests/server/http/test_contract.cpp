@@ -69,6 +69,9 @@ class Contract : public Served {
     const std::string with_file = printed + R"(, "files": {"a.png": ")" + image + "\"}}";
     EXPECT_EQ(recorded("POST", project + "/edits", with_file, any).status, 200);
     EXPECT_EQ(recorded("GET", project + "/pieces").status, 200);
+    for (const char* file : {"/pattern.dxf", "/pattern.svg", "/pattern.pdf"})
+      EXPECT_EQ(recorded("GET", project + file).status, 200);
+    recorded("GET", project + "/pattern.pdf?paper=a9");
     recorded("GET", project + "/edits?limit=1");
     EXPECT_EQ(recorded("POST", project + "/undo", "", any).status, 200);
     recorded("POST", project + "/undo", "", any);

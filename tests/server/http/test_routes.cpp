@@ -7,6 +7,7 @@
 #include "core/base/hash.h"
 #include "core/image/read_picture.h"
 #include "core/image/write_png.h"
+#include "core/pattern/dxf/read.h"
 #include "tests/server/http/served.h"
 #include "tests/server/store/update_job.h"
 
@@ -92,6 +93,52 @@ TEST_F(Routes, MakeShowAndReplaceAProject) {
   EXPECT_PROBLEM(send_json("PUT", address, bigger, "If-Match: W/\"2\"\r\n"), 412, "store.conflict");
   EXPECT_PROBLEM(send_json("PUT", address, bigger), 428, "request.if_match");
   EXPECT_EQ(send_json("PUT", address, bigger, "If-Match: *\r\n").headers.at("etag"), "\"3\"");
+}
+
+TEST_F(Routes, GiveOutThePatternOfAProject) {
+  const std::string place = "/api/v1/projects/" + make_project() + "/pattern.";
+  const Answer dxf = get(place + "dxf");
+  ASSERT_EQ(dxf.status, 200) << dxf.body;
+  EXPECT_EQ(dxf.headers.at("content-type"), "image/vnd.dxf");
+  EXPECT_EQ(dxf.headers.at("content-disposition"), "attachment; filename=\"Napkin.dxf\"");
+  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(dxf.body, {});
+  ASSERT_TRUE(drawing) << to_string(drawing.error());
+  EXPECT_EQ(drawing->pieces.size(), 1u);
+  EXPECT_EQ(drawing->unit.name, "mm");
+
+  const Answer svg = get(place + "svg");
+  EXPECT_EQ(svg.headers.at("content-type"), "image/svg+xml");
+  EXPECT_EQ(svg.headers.at("content-security-policy"), "default-src 'none'; sandbox");
+  EXPECT_NE(svg.body.find("<svg"), std::string::npos);
+
+  const Answer pdf = get(place + "pdf"), letter = get(place + "pdf?paper=letter");
+  EXPECT_EQ(pdf.headers.at("content-type"), "application/pdf");
+  EXPECT_TRUE(pdf.body.starts_with("%PDF-"));
+  EXPECT_EQ(get(place + "pdf?paper=a4").body, pdf.body);
+  EXPECT_NE(letter.body.find("MediaBox [ 0 0 612"), std::string::npos) << "8.5 inches wide";
+  EXPECT_EQ(pdf.body.find("MediaBox [ 0 0 612"), std::string::npos);
+}
+
+TEST_F(Routes, TellWhetherAPatternsFileIsStillTheSame) {
+  const std::string one = "/api/v1/projects/" + make_project();
+  const std::string tag = get(one + "/pattern.pdf").headers.at("etag");
+  const std::string known = "If-None-Match: " + tag + "\r\n";
+  const Answer same = get(one + "/pattern.pdf", known);
+  EXPECT_EQ(same.status, 304);
+  EXPECT_EQ(same.body, "");
+  EXPECT_EQ(get(one + "/pattern.pdf?paper=a3", known).status, 200) << "other paper is another file";
+  const std::string wider = napkin_request(post_asset(), "\"name\": \"Napkin\"", "\"name\": \"Cloth\"");
+  ASSERT_EQ(send_json("PUT", one, wider, "If-Match: *\r\n").status, 200);
+  EXPECT_EQ(get(one + "/pattern.pdf", known).status, 200) << "another title stands on its sheet";
+}
+
+TEST_F(Routes, RefusePatternsThatThereAreNot) {
+  const std::string one = "/api/v1/projects/" + make_project();
+  EXPECT_PROBLEM(get(one + "/pattern.pdf?paper=a9"), 400, "request.paper");
+  EXPECT_PROBLEM(get(one + "/pattern.dxf?paper=a4"), 400, "request.unknown_parameter");
+  EXPECT_PROBLEM(get(one + "/pattern.plt"), 404, "http.not_found");
+  EXPECT_PROBLEM(get("/api/v1/projects/p_0/pattern.pdf"), 404, "store.not_found");
+  EXPECT_PROBLEM(ask(port, "POST", one + "/pattern.pdf"), 405, "http.method");
 }
 
 TEST_F(Routes, GiveAProjectTheNameOfTheRequest) {

@@ -3,6 +3,7 @@
 import { decodeBody, type BodyMesh } from './body';
 import { Http, kLongPatience } from './http';
 import { makeLinkApi, type LinkApi } from './links';
+import { makePatternUrls, type PatternUrls } from './patternFiles';
 import { makeSessionApi, type SessionApi } from './session';
 import type {
   Answer,
@@ -24,7 +25,7 @@ import type {
 
 export type JobAction = 'pause' | 'resume' | 'cancel';
 
-export interface Api extends SessionApi, LinkApi {
+export interface Api extends SessionApi, LinkApi, PatternUrls {
   projects(): Promise<Project[]>;
   project(id: string): Promise<Project>;
   createProject(document: unknown, files: Record<string, string>): Promise<Project>;
@@ -69,6 +70,7 @@ export interface Api extends SessionApi, LinkApi {
 }
 
 const part = encodeURIComponent;
+const kBytes = { 'Content-Type': 'application/octet-stream' };
 const matching = (revision: number): Record<string, string> => ({ 'If-Match': `"${revision}"` });
 
 export function makeApi(http = new Http('/api/v1')): Api {
@@ -77,6 +79,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
   return {
     ...makeSessionApi(http),
     ...makeLinkApi(http),
+    ...makePatternUrls(http),
     projects: async () => (await http.get<Answer<'listProjects'>>('/projects?limit=100')).projects,
     project: (id) => http.get(`/projects/${part(id)}`),
     createProject: (document, files) => http.post('/projects', { document, files }),
@@ -107,8 +110,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
     arrange: (id, revision) => http.post(`/projects/${part(id)}/arrange`, undefined, matching(revision)),
     uploadAsset: (kind, name, bytes) => {
       const path = `/assets?kind=${kind}&name=${part(name)}`;
-      const headers = { 'Content-Type': 'application/octet-stream' };
-      return http.json(path, { method: 'POST', headers, body: bytes });
+      return http.json(path, { method: 'POST', headers: kBytes, body: bytes });
     },
     jobs: async () => (await http.get<Answer<'listJobs'>>('/jobs?limit=100')).jobs,
     job: (id) => http.get(`/jobs/${part(id)}`),

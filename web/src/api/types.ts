@@ -22,6 +22,8 @@ export type Question<Operation extends keyof operations> = operations[Operation]
   ? Body
   : never;
 
+/** What the pages of a printed pattern are. */
+export type Paper = Schemas['Paper'];
 export type JobState = Schemas['JobState'];
 export type Progress = Schemas['Progress'];
 /** A drape that was asked for. Lists leave out the report, the stream's last message also the progress. */

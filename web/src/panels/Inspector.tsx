@@ -1,5 +1,6 @@
 // Beside the pattern: the drape as it runs, and what came of it.
 
+import type { PatternUrls } from '../api/patternFiles';
 import type { Tab } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { ArrangePanel } from './ArrangePanel';
@@ -18,7 +19,7 @@ const kTabs: { tab: Tab; title: string }[] = [
   { tab: 'result', title: 'Result' },
 ];
 
-export function Inspector(props: PicturesProps & { movies?: MovieMaking }) {
+export function Inspector(props: PicturesProps & { movies?: MovieMaking; files?: PatternUrls }) {
   const state = useAppState();
   const shown = state.tab.value;
   const turn = (event: KeyboardEvent): void => {
@@ -46,7 +47,7 @@ export function Inspector(props: PicturesProps & { movies?: MovieMaking }) {
       </div>
       <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${shown}`} tabIndex={0}>
         <h2 class="visually-hidden">{kTabs.find(({ tab }) => tab === shown)?.title}</h2>
-        {shown === 'pattern' && <PatternPanel />}
+        {shown === 'pattern' && <PatternPanel files={props.files} />}
         {shown === 'body' && <BodyPanel />}
         {shown === 'arrange' && <ArrangePanel />}
         {shown === 'drape' && <DrapeFigures />}

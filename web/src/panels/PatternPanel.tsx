@@ -1,14 +1,16 @@
 // Beside the pattern: what is selected, in figures that can be typed; the seams; seams to accept.
 
+import type { PatternUrls } from '../api/patternFiles';
 import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { toolOf } from '../tools/table';
 import { HistoryList } from './HistoryList';
+import { PatternFiles } from './PatternFiles';
 import { ProposalList } from './ProposalList';
 import { SeamList } from './SeamList';
 import { SelectionPanel } from './SelectionPanel';
 
-export function PatternPanel() {
+export function PatternPanel({ files }: { files?: PatternUrls | undefined }) {
   const state = useAppState();
   const pieces = valueOf(state.pieces.value ?? { state: 'loading' });
   const { Panel } = toolOf(state.editing.tool.value);
@@ -19,6 +21,7 @@ export function PatternPanel() {
       <SelectionPanel pieces={pieces} />
       <SeamList pieces={pieces} />
       <ProposalList pieces={pieces} />
+      {files && <PatternFiles urls={files} />}
       <HistoryList />
     </>
   );

@@ -7,6 +7,7 @@ import type { Pieces, Seam } from '../../src/api/types';
 import { FabricField } from '../../src/panels/FabricField';
 import { FabricSwatch } from '../../src/panels/FabricSwatch';
 import { HistoryList } from '../../src/panels/HistoryList';
+import { PatternFiles } from '../../src/panels/PatternFiles';
 import { PatternPanel } from '../../src/panels/PatternPanel';
 import { ProposalList } from '../../src/panels/ProposalList';
 import { SeamList } from '../../src/panels/SeamList';
@@ -36,6 +37,43 @@ function open(pieces: Pieces): void {
   page.show(<PatternPanel />);
   page.asked();
 }
+
+describe('the pattern to take home', () => {
+  const urls = {
+    patternPdfUrl: (project: string, paper: string): string => `/projects/${project}/pattern.pdf?paper=${paper}`,
+    patternSvgUrl: (project: string): string => `/projects/${project}/pattern.svg`,
+    patternDxfUrl: (project: string): string => `/projects/${project}/pattern.dxf`,
+  };
+  const links = (): (string | null)[] => screen.getAllByRole('link').map((link) => link.getAttribute('href'));
+
+  it('is offered as pages, as a sheet and as DXF, under the name of the project', () => {
+    page.show(<PatternFiles urls={urls} />);
+    expect(links()).toEqual([
+      '/projects/p_1/pattern.pdf?paper=a4',
+      '/projects/p_1/pattern.svg',
+      '/projects/p_1/pattern.dxf',
+    ]);
+    const name = page.state.project.value!.name;
+    expect(screen.getAllByRole('link').map((link) => link.getAttribute('download'))).toEqual([
+      `${name}.pdf`,
+      `${name}.svg`,
+      `${name}.dxf`,
+    ]);
+  });
+
+  it('has its pages of the paper that is chosen', () => {
+    page.show(<PatternFiles urls={urls} />);
+    choose(screen.getByRole('combobox', { name: 'Paper of the PDF' }), 'letter');
+    expect(links()[0]).toBe('/projects/p_1/pattern.pdf?paper=letter');
+    expect(links()[1]).toBe('/projects/p_1/pattern.svg');
+  });
+
+  it('stands beside the pattern', () => {
+    page.change((state) => (state.pieces.value = ready(two())));
+    page.show(<PatternPanel files={urls} />);
+    expect(screen.getByRole('region', { name: 'Take out the pattern' })).toBeTruthy();
+  });
+});
 
 describe('beside the pattern', () => {
   it('stands what will be there, while there is none', () => {

@@ -619,6 +619,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/projects/{id}/pattern.dxf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+            };
+            cookie?: never;
+        };
+        /** The pattern as DXF */
+        get: operations["patternDxf"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/projects/{id}/pattern.svg": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+            };
+            cookie?: never;
+        };
+        /** The pattern on one sheet as SVG at 1:1 */
+        get: operations["patternSvg"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/projects/{id}/pattern.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+            };
+            cookie?: never;
+        };
+        /** The pattern on pages at 1:1, to print and glue */
+        get: operations["patternPdf"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs": {
         parameters: {
             query?: never;
@@ -1808,6 +1868,12 @@ export interface components {
             number
         ];
         Polyline: components["schemas"]["Point"][];
+        /**
+         * @description A size of paper
+         * @default a4
+         * @enum {string}
+         */
+        Paper: "a4" | "a3" | "a0" | "letter";
         Pieces: {
             /**
              * @description the method that drapes them
@@ -3612,6 +3678,11 @@ export interface components {
         AssetId: string;
         /** @example p_1qedqq1nd5hfbjxpm78j */
         ProjectId: string;
+        /**
+         * @description ETags of what the client has
+         * @example "ba5eba11ba5eba11ba5eba11ba5eba11"
+         */
+        IfNoneMatch: string;
         /** @example j_1qedqq1nd5hfbjxpm78j */
         JobId: string;
         /**
@@ -3718,6 +3789,11 @@ export interface components {
          * @example "3"
          */
         ETag: string;
+        /**
+         * @description What tells the file's bytes from all others
+         * @example "ba5eba11ba5eba11ba5eba11ba5eba11"
+         */
+        FileETag: string;
     };
     pathItems: never;
 }
@@ -4956,6 +5032,132 @@ export interface operations {
                 };
             };
             404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    patternDxf: {
+        parameters: {
+            query?: never;
+            header?: {
+                /**
+                 * @description ETags of what the client has
+                 * @example "ba5eba11ba5eba11ba5eba11ba5eba11"
+                 */
+                "If-None-Match"?: components["parameters"]["IfNoneMatch"];
+            };
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Millimetres; boundary, notches, grain and inner lines in layers, for cutting tables and other programs */
+            200: {
+                headers: {
+                    ETag: components["headers"]["FileETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/vnd.dxf": unknown;
+                };
+            };
+            /** @description The file would have the bytes of If-None-Match */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            400: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    patternSvg: {
+        parameters: {
+            query?: never;
+            header?: {
+                /**
+                 * @description ETags of what the client has
+                 * @example "ba5eba11ba5eba11ba5eba11ba5eba11"
+                 */
+                "If-None-Match"?: components["parameters"]["IfNoneMatch"];
+            };
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Millimetres; for plotters and drawing programs */
+            200: {
+                headers: {
+                    ETag: components["headers"]["FileETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/svg+xml": unknown;
+                };
+            };
+            /** @description The file would have the bytes of If-None-Match */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            400: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    patternPdf: {
+        parameters: {
+            query?: {
+                /** @description Of the pages */
+                paper?: components["schemas"]["Paper"];
+            };
+            header?: {
+                /**
+                 * @description ETags of what the client has
+                 * @example "ba5eba11ba5eba11ba5eba11ba5eba11"
+                 */
+                "If-None-Match"?: components["parameters"]["IfNoneMatch"];
+            };
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description A page that shows how the others lie, then those; on one of them a square of 50 mm to measure. Lines are where pieces are sewn */
+            200: {
+                headers: {
+                    ETag: components["headers"]["FileETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": unknown;
+                };
+            };
+            /** @description The file would have the bytes of If-None-Match */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            400: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
