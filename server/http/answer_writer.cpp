@@ -13,6 +13,7 @@
 #include <sstream>
 #include <utility>
 
+#include "server/http/event_text.h"
 #include "server/http/problem.h"
 #include "server/ws/on_pool.h"
 
@@ -62,7 +63,7 @@ AnswerHeader answer_header(const HttpResponse& response, bool keep_alive, const 
   if (!response.content_type.empty()) message.set(http::field::content_type, response.content_type);
   if (!request_id.empty()) message.set("X-Request-Id", request_id);
   for (const auto& [name, value] : response.headers) message.set(name, value);
-  if (!is_bodiless(response.status))
+  if (!is_bodiless(response.status) && !feed_after(response))
     message.content_length(response.file ? response.file->size() : response.body.size());
   return message;
 }

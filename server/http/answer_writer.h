@@ -33,8 +33,10 @@ class AnswerWriter {
   /// False when the connection broke or the file has become shorter. Without `body` the header goes alone.
   boost::asio::awaitable<bool> write(AnswerHeader& header, const HttpResponse& response, bool body);
 
- private:
+  /// More of a body whose length no header told.
   boost::asio::awaitable<bool> write_bytes(std::string_view bytes);
+
+ private:
   boost::asio::awaitable<bool> write_file(const AnswerFile& file);
 
   ws::Line line_;

@@ -12,6 +12,7 @@
 #include "server/accounts/gate.h"
 #include "server/http/body_budget.h"
 #include "server/http/connections.h"
+#include "server/http/event_feed.h"
 #include "server/http/fair_pool.h"
 #include "server/http/guard.h"
 #include "server/http/identify.h"
@@ -61,6 +62,7 @@ struct ConnectionContext {
   BodyBudget& answers;  ///< that lie in memory
   Connections& connections;
   const ws::StreamServices& streams;
+  FeedSeats& seats;
   Site site;
   std::string cookie;              ///< name of that of a session
   boost::asio::ssl::context* tls;  ///< null: plain HTTP

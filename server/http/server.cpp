@@ -40,6 +40,7 @@ class HttpServer::Impl {
                  answers_,
                  connections_,
                  streams_,
+                 seats_,
                  site_of(settings_),
                  cookie_name(settings_.secure()),
                  nullptr,
@@ -111,6 +112,7 @@ class HttpServer::Impl {
   WorkPools pools_;
   accounts::Gate* const gate_;
   const ws::StreamServices streams_;
+  FeedSeats seats_;
   TlsContext tls_;
   ConnectionContext context_;  // as it is once connections are taken
   asio::io_context io_;

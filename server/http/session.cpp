@@ -11,6 +11,7 @@
 #include "core/base/names.h"
 #include "core/base/text.h"
 #include "server/http/admission.h"
+#include "server/http/event_text.h"
 #include "server/http/problem.h"
 #include "server/http/request_header.h"
 #include "server/ws/on_pool.h"
@@ -147,6 +148,9 @@ asio::awaitable<bool> HttpSession::serve_known(RequestParser& parser, HttpReques
     const std::string job = response.watched ? response.watched->job : request.captures[0];
     co_return co_await serve_stream(parser, job);
   }
+  if (request.method == "GET" && feed_after(response)) {
+    co_return co_await serve_feed(request, std::move(response));
+  }
   const bool again = parser.get().keep_alive() && !stopping_;
   const bool written = co_await answer(request, std::move(response), again);
   co_return written&& again;
@@ -228,10 +232,28 @@ asio::awaitable<bool> HttpSession::serve_stream(RequestParser& parser, const std
   co_return false;
 }
 
+/// The connection ends with it: nobody knows how long the answer is.
+asio::awaitable<bool> HttpSession::serve_feed(const HttpRequest& request, HttpResponse response) {
+  if (!context_.seats.take(asked_.owner)) {
+    HttpResponse full =
+        problem({"events.too_many", "you have as many event feeds open as one may; end one of them", "",
+                 ErrorKind::kTooMany});
+    co_return co_await answer(request, std::move(full), false);
+  }
+  const SeatTaken seat(context_.seats, asked_.owner);
+  EventFeed feed(stream_, writer_, context_.streams, asked_, feed_after(response).value_or(0));
+  feed_ = &feed;
+  const bool begun = co_await answer(request, std::move(response), false);
+  if (begun && !stopping_) co_await feed.run();
+  feed_ = nullptr;
+  co_return false;
+}
+
 void HttpSession::stop() {
   asio::post(stream_.get_executor(), [self = shared_from_this()] {
     self->stopping_ = true;
     self->work_.give_up();
+    if (self->feed_ != nullptr) self->feed_->stop();
     if (self->viewer_) {
       self->viewer_->stop();
     } else if (self->idle_) {

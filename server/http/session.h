@@ -54,6 +54,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   boost::asio::awaitable<bool> refuse(const HttpRequest& request, HttpResponse response);
   boost::asio::awaitable<bool> answer(const HttpRequest& request, HttpResponse response, bool keep_alive);
   boost::asio::awaitable<bool> serve_stream(RequestParser& parser, const std::string& job);
+  boost::asio::awaitable<bool> serve_feed(const HttpRequest& request, HttpResponse response);
   void tell(const HttpRequest& request, int status, const std::string& code, double seconds) const;
 
   static constexpr Clock::time_point kBusy = Clock::time_point::max();
@@ -66,6 +67,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   RequestWork work_;
   AnswerWriter writer_;
   std::shared_ptr<ws::StreamSession> viewer_;  ///< once the connection is a WebSocket
+  EventFeed* feed_ = nullptr;                  ///< while the connection is one
   Clock::time_point began_;                    ///< of the request at hand
   store::RequestContext asked_;                ///< whose it is
   bool stopping_ = false, idle_ = false;

@@ -160,6 +160,42 @@ CREATE TABLE links (
 ) STRICT;
 CREATE INDEX links_by_owner ON links (owner, id);
 )sql"},
+    // Written by triggers: whoever changes a job, in whichever process, writes its event in the same
+    // transaction, and nobody can forget to. Numbers are an owner's own, so that they tell nothing of others.
+    {11, "what becomes of jobs", R"sql(
+CREATE TABLE events (
+  owner TEXT NOT NULL,
+  number INTEGER NOT NULL,
+  at_ms INTEGER NOT NULL,
+  job TEXT NOT NULL,
+  project_id TEXT NOT NULL,
+  state TEXT NOT NULL,
+  name TEXT NOT NULL,
+  reason_code TEXT NOT NULL,
+  PRIMARY KEY (owner, number)
+) STRICT, WITHOUT ROWID;
+CREATE TRIGGER job_is_made AFTER INSERT ON jobs BEGIN
+  INSERT INTO events (owner, number, at_ms, job, project_id, state, name, reason_code)
+  SELECT NEW.owner, 1 + coalesce((SELECT max(number) FROM events WHERE owner = NEW.owner), 0),
+    CAST(1000 * 86400 * (julianday('now') - 2440587.5) AS INTEGER), NEW.id, NEW.project_id, NEW.state, NEW.name,
+    NEW.reason_code;
+END;
+CREATE TRIGGER job_is_changed AFTER UPDATE OF state ON jobs WHEN NEW.state <> OLD.state BEGIN
+  INSERT INTO events (owner, number, at_ms, job, project_id, state, name, reason_code)
+  SELECT NEW.owner, 1 + coalesce((SELECT max(number) FROM events WHERE owner = NEW.owner), 0),
+    CAST(1000 * 86400 * (julianday('now') - 2440587.5) AS INTEGER), NEW.id, NEW.project_id, NEW.state, NEW.name,
+    NEW.reason_code;
+END;
+CREATE TRIGGER job_is_removed AFTER DELETE ON jobs BEGIN
+  INSERT INTO events (owner, number, at_ms, job, project_id, state, name, reason_code)
+  SELECT OLD.owner, 1 + coalesce((SELECT max(number) FROM events WHERE owner = OLD.owner), 0),
+    CAST(1000 * 86400 * (julianday('now') - 2440587.5) AS INTEGER), OLD.id, OLD.project_id, 'removed', OLD.name,
+    OLD.reason_code;
+END;
+CREATE TRIGGER old_events_go AFTER INSERT ON events WHEN NEW.number % 100 = 0 BEGIN
+  DELETE FROM events WHERE owner = NEW.owner AND number <= NEW.number - 1000;
+END;
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "server/store/blobs.h"
+#include "server/store/events.h"
 #include "server/store/folder_lock.h"
 #include "server/store/holders.h"
 #include "server/store/ids.h"
@@ -28,7 +29,7 @@ struct BlobPlace {
   std::int64_t size = 0;
 };
 
-class SqliteStore final : public store::Store {
+class SqliteStore final : public store::Store, public store::Events {
  public:
   struct Locks {
     std::optional<store::FolderLock> server;
@@ -123,6 +124,10 @@ class SqliteStore final : public store::Store {
   Status ping() override;
   store::Accounts* accounts() override { return &accounts_; }
   store::Links* links() override { return &links_; }
+
+  Result<std::vector<store::EventRow>> events_after(const store::OwnerId& owner, std::int64_t number,
+                                                    int limit) override;
+  Result<std::int64_t> newest_event(const store::OwnerId& owner) override;
 
  private:
   // What follows expects mutex_ to be held.

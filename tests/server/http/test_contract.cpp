@@ -253,6 +253,8 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   const std::string given = "{\"asset\": \"" + member(kept, "id") + "\"}";
   EXPECT_EQ(recorded("POST", "/api/v1/imports", given, kJson).status, 200);
   const std::string asset = member(recorded("POST", "/api/v1/bodies?name=post.obj", kPost), "id");
+  EXPECT_EQ(recorded("GET", "/api/v1/events").status, 200);
+  recorded("GET", "/api/v1/events?after=x");
   recorded("GET", "/api/v1/assets");
   recorded("GET", "/api/v1/bodies");
   recorded("GET", "/api/v1/assets/" + asset);

@@ -1031,6 +1031,31 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/events": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * What becomes of all jobs of whoever asks, as server-sent events
+         * @description A `job` event for every new state of every job, and for its removal; its data is a JobEvent on one line, its id a number that
+         *     rises by one. It is written with the job itself, so that none is lost when the server stops or crashes. A client that comes
+         *     back says what it has heard last (Last-Event-ID, as browsers do by themselves) and is told what came since. The newest
+         *     thousand are kept; where some between are not any more, or the number is of another store, a `gap` event says so: look at
+         *     the jobs then. A comment every 15 s shows that the connection lives. It ends when its key is good no more, and when the server
+         *     stops; 16 of an owner may be open (429).
+         */
+        get: operations["listenToEvents"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/links": {
         parameters: {
             query?: never;
@@ -1967,6 +1992,17 @@ export interface components {
             cloth_cloth: number;
             /** @description wall time of a substep */
             step_ms: number;
+        };
+        JobEvent: {
+            /** @description Its id */
+            job: string;
+            project_id: string;
+            name: string;
+            /** @description Its new state, or that it is gone */
+            state: components["schemas"]["JobState"] | "removed";
+            /** @description Of a state that is final; else empty */
+            reason_code: string;
+            at_ms: number;
         };
         /**
          * @description Whether somebody looks on. Drapes are worked on in slices: an interactive one goes before batch work, and users share
@@ -5738,6 +5774,37 @@ export interface operations {
             403: components["responses"]["Problem"];
             404: components["responses"]["Problem"];
             426: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listenToEvents: {
+        parameters: {
+            query?: {
+                /** @description The same; 0 gives all that are kept. Without either, what happens from now on */
+                after?: number;
+            };
+            header?: {
+                /** @description The event that was heard last; goes before `after` */
+                "Last-Event-ID"?: number;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Events as they happen, without end */
+            200: {
+                headers: {
+                    /** @description The event after which it begins */
+                    "Last-Event-ID"?: number;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/event-stream": components["schemas"]["JobEvent"];
+                };
+            };
+            400: components["responses"]["Problem"];
+            429: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
