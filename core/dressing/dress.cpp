@@ -282,12 +282,23 @@ void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dre
       certify(g, dressed.positions, whole, wearer.crossing(), wearer.obstacles(), wearer.skeleton());
 }
 
+bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& a,
+              const DressingWay& b) {
+  if (a.slim != b.slim || a.least_stretch != b.least_stretch || a.bending != b.bending) return false;
+  const std::vector<Covers> covers = covers_of(assembly, wearer.figure());
+  return staged(assembly, covers, wearer.figure(), a.staging) ==
+         staged(assembly, covers, wearer.figure(), b.staging);
+}
+
 const std::vector<DressingWay>& dressing_ways() {
-  static const std::vector<DressingWay> kWays{
-      {{0.12, 0, true, false, true}, 0.5, 0.3, 0.3},      {{0.12, 0.05, false, false, true}, 0.5, 0.3, 0.3},
-      {{0.07, 0.07, true, true, true}, 0.5, 0.3, 0.3},    {{0.05, 0.05, true, false, true}, 0.5, 0.9, 0.03},
-      {{0, 0.12, true, false, true}, 0.5, 0.3, 0.3},      {{0, 0, true, false, true}, 0.5, 0.9, 0.03},
-      {{0.08, 0.08, false, false, false}, 0.65, 0.3, 0.1}};
+  static const std::vector<DressingWay> kWays{{{0.12, 0, true, false, Wide::kFolded}, 0.5, 0.3, 0.3},
+                                              {{0.12, 0, true, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
+                                              {{0.12, 0.05, false, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
+                                              {{0.07, 0.07, true, true, Wide::kSmaller}, 0.5, 0.3, 0.3},
+                                              {{0.05, 0.05, true, false, Wide::kSmaller}, 0.5, 0.9, 0.03},
+                                              {{0, 0.12, true, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
+                                              {{0, 0, true, false, Wide::kSmaller}, 0.5, 0.9, 0.03},
+                                              {{0.08, 0.08, false, false, Wide::kAsPlaced}, 0.65, 0.3, 0.1}};
   return kWays;
 }
 

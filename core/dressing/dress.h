@@ -43,6 +43,10 @@ Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
 /// Parts what still crosses in a shape whose seams are shut, and judges it.
 void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dressed);
 
+/// Whether two ways are one for this garment: one without wide skirts has nothing to fold.
+bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& a,
+              const DressingWay& b);
+
 /// The ways, in the order in which they are worth trying.
 const std::vector<DressingWay>& dressing_ways();
 

@@ -57,6 +57,14 @@ std::vector<Index> at_fault(const sewing::Assembly& assembly, const Wearer& wear
   return others.empty() ? std::vector<Index>(panels.begin(), panels.end()) : others;
 }
 
+/// Ways that a start before this one was made by count as well.
+bool tried_before(const sewing::Assembly& assembly, const Wearer& wearer, std::size_t number) {
+  const std::vector<DressingWay>& ways = dressing_ways();
+  for (std::size_t k = 0; k < number; ++k)
+    if (same_way(assembly, wearer, ways[k], ways[number])) return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<Vec3> carried_over(const sewing::GarmentMesh& fine, const sewing::GarmentMesh& coarse,
@@ -96,6 +104,7 @@ TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, con
     tried.gave_up = number > first && tried.effort.spent() && !tried.on;
     tried.next = number;
     if (tried.gave_up || (tried.on && better.spent())) break;
+    if (tried_before(coarse, wearer, number)) continue;
     Dressed dressed =
         dress(coarse, wearer, dressing_ways()[number], context, {}, tried.on ? better : tried.effort);
     if (tried.on) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/geometry/distance.h"
 
@@ -15,7 +16,10 @@ constexpr double kTrunkTop = 0.35;  // of the way from waist to armpit, that pie
 constexpr double kWide = 0.4;       // m from the middle: hands hang in the way of what is wider,
 constexpr double kBelowHands = 0.05, kFarOff = 0.8;  // m, from where much wider things are in nobody's way
 constexpr double kNarrowed = 0.3;                    // and it is drawn in to this
-constexpr double kPastWrist = 0.03, kUpArm = 0.15;   // m, that cuffs begin beyond; that sleeves move at most
+constexpr double kHips = 1.4;          // armpits' distance from the middle, from where skirts are folded down
+constexpr double kHigher = 0.03;       // m, that the middle of what holds a piece lies above the piece's
+constexpr double kInsideHands = 0.12;  // m, that they pass hands by
+constexpr double kPastWrist = 0.03, kUpArm = 0.15;  // m, that cuffs begin beyond; that sleeves move at most
 constexpr double kSleeved = 2;       // times as wide as the armpits, from where a piece has sleeves
 constexpr double kNarrowest = 0.35;  // share of its size that a piece keeps: cloth gives way no further
 
@@ -76,6 +80,74 @@ Narrowing narrowing_of(const sewing::Assembly& assembly, std::span<const Covers>
     in_the_way |= aside > (p.y > hands ? kWide : kFarOff);
   }
   return {in_the_way ? std::max(kNarrowest, kNarrowed / widest) : 1, top};
+}
+
+/// What hangs from something turns down about the middle of the edge that it hangs by: discs become sectors
+/// that close inside the hands. Lengths downwards stay what they are; cloth is drawn together around the body
+/// alone.
+struct Folding {
+  std::vector<std::optional<Vec3>> hangs_by;  ///< of each panel, m
+  double share = 1;                           ///< of each place's angle from straight down
+};
+
+double angle_from_down(Vec3 from, Vec3 p) {
+  return std::atan2(std::hypot(p.x - from.x, p.z - from.z), from.y - p.y);
+}
+
+/// Middles of the edges by which pieces below the waist hang from higher ones.
+std::vector<std::optional<Vec3>> held_edges(const sewing::Assembly& assembly, std::span<const Covers> covers,
+                                            std::span<const Extent> extents) {
+  const sewing::GarmentMesh& g = assembly.garment;
+  std::vector<Vec3> sum(covers.size());
+  std::vector<int> count(covers.size(), 0);
+  for (const auto& [i, j] : g.sewn) {
+    const bool first_lower = extents[static_cast<std::size_t>(g.panel_of_vertex[i])].middle.y <
+                             extents[static_cast<std::size_t>(g.panel_of_vertex[j])].middle.y;
+    const Index low = first_lower ? i : j, high = first_lower ? j : i;
+    const auto p = static_cast<std::size_t>(g.panel_of_vertex[low]);
+    const auto q = static_cast<std::size_t>(g.panel_of_vertex[high]);
+    if (covers[p] != Covers::kBelow || extents[q].middle.y - extents[p].middle.y < kHigher) continue;
+    sum[p] += assembly.positions[low];
+    ++count[p];
+  }
+  std::vector<std::optional<Vec3>> middles(covers.size());
+  for (std::size_t p = 0; p < sum.size(); ++p)
+    if (count[p] > 0) middles[p] = sum[p] * (1.0 / count[p]);
+  return middles;
+}
+
+/// Nothing where what is wide hangs from nothing.
+std::optional<Folding> folding_of(const sewing::Assembly& assembly, std::span<const Covers> covers,
+                                  const measure::BodyFigure& f) {
+  const sewing::GarmentMesh& g = assembly.garment;
+  std::vector<Extent> extents;
+  for (std::size_t p = 0; p < covers.size(); ++p) extents.push_back(extent_of(assembly, p, f.middle));
+  Folding folding{held_edges(assembly, covers, extents), 1};
+  double steepest = 1e-6, inside = HUGE_VAL;  // radians: of the cloth, and of what passes the hands
+  for (std::size_t p = 0; p < covers.size(); ++p) {
+    if (covers[p] != Covers::kBelow) continue;
+    if (!folding.hangs_by[p]) {
+      if (extents[p].aside > kWide) return std::nullopt;
+      continue;
+    }
+    const Vec3 from = *folding.hangs_by[p];
+    for (Index v = g.first_vertex[p]; v < g.first_vertex[p + 1]; ++v)
+      steepest = std::max(steepest, angle_from_down(from, assembly.positions[v]));
+    for (const measure::ArmLine& arm : f.arm) {
+      const double room = std::max(0.0, std::abs(arm.wrist.x - f.middle) - kInsideHands);
+      inside = std::min(inside, angle_from_down(from, {from.x + room, arm.tip.y, from.z}));
+    }
+  }
+  folding.share = std::clamp(inside / steepest, kNarrowest, 1.0);
+  return folding;
+}
+
+Vec3 folded(const std::optional<Vec3>& hangs_by, double share, Vec3 p) {
+  if (!hangs_by) return p;
+  const Vec3 way = p - *hangs_by;
+  const double aside = std::hypot(way.x, way.z), angle = share * angle_from_down(*hangs_by, p);
+  const double out = aside > 0 ? length(way) * std::sin(angle) / aside : 0;
+  return *hangs_by + Vec3{way.x * out, -length(way) * std::cos(angle), way.z * out};
 }
 
 /// How much narrower what lies on the trunk begins, so that its sides close below the arms. What reaches far
@@ -144,7 +216,10 @@ std::vector<Covers> covers_of(const sewing::Assembly& assembly, const measure::B
 std::vector<Vec3> staged(const sewing::Assembly& assembly, std::span<const Covers> covers,
                          const measure::BodyFigure& figure, const Staging& staging) {
   std::vector<Vec3> x = assembly.positions;
-  const Narrowing narrow = staging.below_narrow ? narrowing_of(assembly, covers, figure) : Narrowing{};
+  const Narrowing narrow =
+      staging.below != Wide::kAsPlaced ? narrowing_of(assembly, covers, figure) : Narrowing{};
+  const std::optional<Folding> folding =
+      staging.below == Wide::kFolded ? folding_of(assembly, covers, figure) : std::nullopt;
   const Vec3 top{figure.middle, narrow.top, 0}, waist{figure.middle, figure.waist, 0};
   const bool on_trunk = std::find(covers.begin(), covers.end(), Covers::kTrunk) != covers.end();
   const double lift = on_trunk ? staging.lift : staging.lift_others;
@@ -157,7 +232,11 @@ std::vector<Vec3> staged(const sewing::Assembly& assembly, std::span<const Cover
       continue;
     }
     if (part == Covers::kTrunk) x[i].x = figure.middle + (x[i].x - figure.middle) * trunk;
-    if (part == Covers::kBelow && narrow.share < 1) x[i] = waist + (x[i] - top) * narrow.share;
+    if (part == Covers::kBelow && narrow.share < 1)
+      x[i] = folding
+                 ? folded(folding->hangs_by[static_cast<std::size_t>(assembly.garment.panel_of_vertex[i])],
+                          folding->share, x[i])
+                 : waist + (x[i] - top) * narrow.share;
     x[i].y += lift;
   }
   return x;

@@ -16,6 +16,13 @@ enum class Covers : std::uint8_t { kTrunk, kArm, kBelow, kNeck };
 /// One a panel.
 std::vector<Covers> covers_of(const sewing::Assembly& assembly, const measure::BodyFigure& figure);
 
+/// How what is wider below the waist than can pass the hands begins.
+enum class Wide : std::uint8_t {
+  kAsPlaced,
+  kSmaller,  ///< as a whole
+  kFolded,   ///< hung down at the sides, as long as it is
+};
+
 /// How far from where they were placed pieces begin.
 struct Staging {
   double lift = 0;         ///< m, upwards, of garments that have something for the trunk
@@ -23,7 +30,7 @@ struct Staging {
   bool arms_centred =
       true;  ///< pieces for an arm have its line in their middle; else they go up as the trunk
   bool trunk_narrow = false;  ///< pieces of the trunk that reach beyond the armpits are drawn in between them
-  bool below_narrow = true;   ///< what is wider below the waist than can pass the hands is drawn in
+  Wide below = Wide::kSmaller;
 };
 
 /// The start of each garment vertex, m.

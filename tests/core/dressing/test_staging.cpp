@@ -1,0 +1,115 @@
+// Where pieces begin: a dress with half discs for a skirt, before and behind the sample's mannequin.
+
+#include "core/dressing/staging.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/dressing/put_on.h"
+#include "core/mesh/make_panel_meshes.h"
+#include "tests/core/arrange/garments.h"
+#include "tests/core/dressing/dressed_person.h"
+
+namespace toile {
+namespace {
+
+constexpr int kArc = 12;  // edges of each arc
+
+/// Edges: hem from left to right, right side, waist from right to left, left side; mm.
+std::vector<Vec2> half_disc(double waist, double hem) {
+  std::vector<Vec2> corners;
+  const auto at = [&](double radius, int k) {
+    const double angle = std::numbers::pi * (1 + static_cast<double>(k) / kArc);
+    corners.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  };
+  for (int k = 0; k <= kArc; ++k) at(hem, k);
+  for (int k = kArc; k >= 0; --k) at(waist, k);
+  return corners;
+}
+
+pattern::Pattern top() {
+  pattern::Pattern p;
+  const std::vector<Vec2> corners{{-220, 0}, {220, 0},   {240, 280}, {190, 420},  {190, 500},  {90, 500},
+                                  {90, 380}, {-90, 380}, {-90, 500}, {-190, 500}, {-190, 420}, {-240, 280}};
+  p.panels = {test::polygon("front", corners), test::turned_over("back", corners)};
+  for (const Index e : {1, 4, 8, 11})
+    p.seams.push_back(test::seam("s" + std::to_string(e), {{0, e}}, {{1, 11 - e}}));
+  return p;
+}
+
+pattern::Pattern circle_dress() {
+  pattern::Pattern p = top();
+  const std::vector<Vec2> disc = half_disc(140, 800);
+  const auto last = static_cast<Index>(disc.size()) - 1;
+  p.panels.push_back(test::polygon("skirt_front", disc));
+  p.panels.push_back(test::turned_over("skirt_back", disc));
+  p.seams.push_back(test::seam("right", {{2, kArc}}, {{3, last - kArc}}));
+  p.seams.push_back(test::seam("left", {{2, last}}, {{3, 0}}));
+  pattern::Seam front = test::seam("waist_front", {}, {{0, 0}}),
+                back = test::seam("waist_back", {}, {{1, 11}});
+  for (Index e = kArc + 1; e < last; ++e) front.a.push_back({2, e});
+  for (Index e = 1; e < last - kArc; ++e) back.a.push_back({3, e});
+  p.seams.push_back(front);
+  p.seams.push_back(back);
+  return p;
+}
+
+sewing::Assembly placed(const pattern::Pattern& p) {
+  const auto meshes = mesh::make_panel_meshes(p, 0.03, {}).value();
+  const double height = test::person().figure.shoulder[0].y - 0.5;
+  std::vector<sewing::Placement> places;
+  for (std::size_t k = 0; k < p.panels.size(); k += 2) {
+    places.push_back(sewing::RigidPlacement{{0, height, 0.22}, {}, false});
+    places.push_back(sewing::RigidPlacement{{0, height, -0.22}, {0, std::numbers::pi, 0}, false});
+  }
+  return sewing::assemble(meshes, places, {}).value();
+}
+
+TEST(Staging, AWideSkirtIsFoldedDownInsideTheHandsAsLongAsItIs) {
+  const measure::BodyFigure& figure = test::person().figure;
+  const sewing::Assembly dress = placed(circle_dress());
+  const std::vector<dressing::Covers> covers = dressing::covers_of(dress, figure);
+  ASSERT_EQ(covers[2], dressing::Covers::kBelow);
+  const dressing::Staging folded{0, 0, true, false, dressing::Wide::kFolded};
+  const std::vector<Vec3> x = dressing::staged(dress, covers, figure, folded);
+  const double hands = std::min(figure.arm[0].tip.y, figure.arm[1].tip.y);
+  double out_before = 0, out = 0;
+  const double waist = figure.shoulder[0].y - 0.5;
+  for (Index v = dress.garment.first_vertex[2]; v < dress.garment.first_vertex[4]; ++v) {
+    EXPECT_LE(x[v].y, waist + 1e-9) << "nothing is turned up";
+    if (dress.positions[v].y > hands) out_before = std::max(out_before, std::abs(dress.positions[v].x));
+    if (x[v].y > hands) out = std::max(out, std::abs(x[v].x));
+    if (std::abs(dress.garment.rest[v].x) < 1e-9) {
+      EXPECT_NEAR(x[v].x, 0, 1e-9) << "the middle stays there";
+    }
+  }
+  EXPECT_GT(out_before, std::abs(figure.arm[0].wrist.x)) << "the hands are in its way";
+  EXPECT_LT(out, std::abs(figure.arm[0].wrist.x));
+  const auto longest = [&](std::span<const Vec3> at) {
+    double low = HUGE_VAL;
+    for (const Vec3 p : at) low = std::min(low, p.y);
+    return low;
+  };
+  EXPECT_NEAR(longest(x), longest(dress.positions), 1e-6) << "as long as it is";
+}
+
+TEST(Staging, FoldingIsNoOtherWayWhereNothingIsWide) {
+  const dressing::Wearer wearer(test::person());
+  const std::vector<dressing::DressingWay>& ways = dressing::dressing_ways();
+  ASSERT_EQ(ways[0].staging.below, dressing::Wide::kFolded);
+  EXPECT_TRUE(dressing::same_way(placed(top()), wearer, ways[0], ways[1]));
+  EXPECT_FALSE(dressing::same_way(placed(circle_dress()), wearer, ways[0], ways[1]));
+}
+
+TEST(Staging, ACircleDressIsPutOnByFoldingItsSkirt) {
+  const dressing::Wearer wearer(test::person());
+  const sewing::Assembly dress = placed(circle_dress());
+  const dressing::Dressed on = dressing::dress(dress, wearer, dressing::dressing_ways()[0], {});
+  EXPECT_TRUE(on.certificate.holds());
+  EXPECT_LT(on.certificate.shrink_p99, 0.4) << "hardly squeezed";
+}
+
+}  // namespace
+}  // namespace toile
