@@ -16,6 +16,7 @@ struct ServeOptions {
   std::string address = "127.0.0.1";
   bool container = false;  ///< listen on any address, for the machine around the container alone
   std::string tls_certificate, tls_key;  ///< PEM files; empty: no TLS
+  bool webhooks_to_private = false;      ///< tells webhooks of private networks as well
   bool behind_proxy = false;             ///< a proxy speaks TLS to others
   bool accounts = false;                 ///< only who is known is let in, also while the store has no account
   int port = 8460;                       ///< 0: any that is free

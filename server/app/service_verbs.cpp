@@ -74,6 +74,9 @@ CLI::App* add_serve(CLI::App& app, ServeOptions& serve) {
   verb->add_flag(
       "--container", serve.container,
       "Listen on any address, within a container whose port is published on the machine's loopback");
+  verb->add_flag(
+      "--webhooks-to-private", serve.webhooks_to_private,
+      "Tell webhooks on the loopback and in private networks as well: users reach what this machine does");
   verb->add_option("--web", serve.web, "Folder of the built page (default: web/dist)");
   verb->add_option("--sample", serve.sample,
                    "Folder of the project that a new store begins with (default: samples/skirt)");

@@ -82,6 +82,10 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   TRY(service->jobs_->start());
   service->retention_ =
       std::make_unique<jobs::Retention>(*service->store_, *service->jobs_, options.retention, log);
+  webhooks::DeliverySettings telling;
+  telling.to_private = options.webhooks_to_private;
+  service->deliverer_ =
+      std::make_unique<webhooks::Deliverer>(*store::webhooks_of(*service->store_), telling, log);
   if (accounts) return service;
   const store::RequestContext local = http::local_user("", log);
   if (Status sample = drape_sample(*service->documents_, *service->jobs_, local, options.sample); !sample) {
@@ -94,6 +98,7 @@ Service::~Service() { stop(); }
 
 void Service::stop() {
   if (server_) server_->drain();
+  deliverer_.reset();
   retention_.reset();
   if (movies_) movies_->stop();
   if (jobs_) jobs_->stop();

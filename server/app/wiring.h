@@ -13,6 +13,7 @@
 #include "server/jobs/retention.h"
 #include "server/jobs/service.h"
 #include "server/store/store.h"
+#include "server/webhooks/deliverer.h"
 #include "server/ws/hub.h"
 
 namespace toile::app {
@@ -46,6 +47,7 @@ class Service {
   std::unique_ptr<handlers::Doors> doors_;  ///< null: there are no accounts
   std::unique_ptr<handlers::LinkDoor> link_door_;
   std::unique_ptr<http::HttpServer> server_;
+  std::unique_ptr<webhooks::Deliverer> deliverer_;
 };
 
 }  // namespace toile::app

@@ -14,11 +14,13 @@
 #include <boost/url/url_view.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <optional>
 
 #include "core/base/names.h"
 #include "core/base/text.h"
+#include "server/http/public_address.h"
 #include "server/http/thrown.h"
 #include "server/http/tls.h"
 #include "server/http/url.h"
@@ -33,7 +35,6 @@ namespace http = beast::http;
 using asio::ip::tcp;
 
 constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
-constexpr std::uint64_t kMostReplyBytes = std::uint64_t{1} << 30;
 
 bool may_repeat(const HttpClient::Request& request) {
   const auto is_key = [](const auto& header) { return header.first == "Idempotency-Key"; };
@@ -45,7 +46,10 @@ bool may_repeat(const HttpClient::Request& request) {
 struct HttpClient::Impl {
   std::string host, port;
   asio::io_context io;
-  TlsContext tls;  // null: http
+  std::atomic<bool> given_up{false};
+  bool public_only = false;
+  bool led_astray = false;  // the address was of no place that may be gone to
+  TlsContext tls;           // null: http
   std::optional<ws::Line> stream;
   beast::flat_buffer buffer;
 
@@ -66,8 +70,14 @@ struct HttpClient::Impl {
   asio::awaitable<boost::system::error_code> connect(std::chrono::seconds within) {
     tcp::resolver resolver(io);
     const std::string name = host.starts_with('[') ? host.substr(1, host.size() - 2) : host;
-    const auto [unknown, places] = co_await resolver.async_resolve(name, port, kTuple);
+    const auto [unknown, found] = co_await resolver.async_resolve(name, port, kTuple);
     if (unknown) co_return unknown;
+    // What is looked at is what is connected to: a name is not asked for again.
+    std::vector<tcp::endpoint> places;
+    for (const auto& place : found)
+      if (!public_only || is_public(place.endpoint().address())) places.push_back(place.endpoint());
+    led_astray = places.empty();
+    if (led_astray) co_return asio::error::access_denied;
     stream.emplace(beast::tcp_stream(io), tls.get());
     buffer.clear();
     stream->expires_after(std::min(within, std::chrono::seconds(10)));
@@ -98,7 +108,7 @@ struct HttpClient::Impl {
     stream->expires_after(within);
     const auto [unsent, sent] = co_await http::async_write(*stream, message, kTuple);
     http::response_parser<http::string_body> parser;
-    parser.body_limit(kMostReplyBytes);
+    parser.body_limit(request.most_reply_bytes);
     // A server that refuses may answer and close before it has read everything.
     const auto [failure, read] = co_await http::async_read(*stream, buffer, parser, kTuple);
     if (failure) {
@@ -156,12 +166,18 @@ Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds w
   HttpReply reply;
   boost::system::error_code failure;
   std::exception_ptr thrown;
+  bool ended = false;
   impl_->io.restart();
+  if (impl_->given_up) impl_->io.stop();  // it may have been said before the line above
   asio::co_spawn(
       impl_->io, [&]() -> asio::awaitable<void> { failure = co_await impl_->ask(request, within, reply); },
-      [&](const std::exception_ptr& what) { thrown = what; });
+      [&](const std::exception_ptr& what) {
+        thrown = what;
+        ended = true;
+      });
   impl_->io.run();
   const std::string place = impl_->host + ":" + impl_->port;
+  if (!ended) return Error{"client.given_up", "nobody waits for the answer", place, ErrorKind::kCancelled};
   if (thrown) {
     return Error{"client.failed", "asking broke off: " + words_of(thrown), place, ErrorKind::kSystem};
   }
@@ -169,6 +185,10 @@ Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds w
   if (failure.category() == asio::error::get_ssl_category()) {
     return Error{"client.tls", "the server is not believed to be who it says: " + failure.message(), place,
                  ErrorKind::kSystem};
+  }
+  if (impl_->led_astray) {
+    return Error{"client.private_address",
+                 "this leads to the loopback or a private network, where nothing is sent", place};
   }
   if (failure == beast::error::timeout)
     return Error{"client.timeout", "the server does not answer", place, ErrorKind::kSystem};
@@ -178,6 +198,13 @@ Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds w
   }
   return Error{"client.unreachable", "the server cannot be reached: " + failure.message(), place,
                ErrorKind::kUnavailable};
+}
+
+void HttpClient::keep_to_public() { impl_->public_only = true; }
+
+void HttpClient::give_up() {
+  impl_->given_up = true;
+  impl_->io.stop();
 }
 
 bool HttpClient::tells_others() const {

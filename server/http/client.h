@@ -2,6 +2,7 @@
 // Asks a server over HTTP, one request after the other, and waits for each answer.
 
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -34,6 +35,7 @@ class HttpClient {
     std::string body;
     std::string content_type;
     std::vector<std::pair<std::string, std::string>> headers;
+    std::uint64_t most_reply_bytes = std::uint64_t{1} << 30;  ///< of the answer's body
   };
   /// Connects where need be; asks once more when a connection that was kept turns out to be closed and asking
   /// twice does no harm (GET, or with an Idempotency-Key). Errors: client.unreachable, client.timeout,
@@ -42,6 +44,11 @@ class HttpClient {
 
   /// Whether what is said can be read on the way: neither TLS nor the loopback.
   bool tells_others() const;
+  /// From now on connects to addresses of the internet only (public_address.h), whatever names lead to; else
+  /// asking ends with client.private_address.
+  void keep_to_public();
+  /// What is asked ends at once with client.given_up, and so does all later. From any thread.
+  void give_up();
 
  private:
   struct Impl;

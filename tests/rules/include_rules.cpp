@@ -76,6 +76,7 @@ const std::map<std::string, Names>& table() {
         "proto", "render", "resolve", "shares", "store", "warm"}},
       {"ws", {"jobs", "json", "proto", "store"}},
       {"http", {"accounts", "jobs", "json", "shares", "store", "ws"}},
+      {"webhooks", {"accounts", "http", "json", "store"}},
       {"handlers",
        {"accounts", "documents", "exports", "fabric", "http", "image", "jobs", "json", "print", "store",
         "ws"}},

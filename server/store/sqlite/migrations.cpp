@@ -196,6 +196,47 @@ CREATE TRIGGER old_events_go AFTER INSERT ON events WHEN NEW.number % 100 = 0 BE
   DELETE FROM events WHERE owner = NEW.owner AND number <= NEW.number - 1000;
 END;
 )sql"},
+    // What is to be told is written where the event is. A secret is needed to sign, so it is kept itself.
+    {12, "who is told of jobs that have ended", R"sql(
+CREATE TABLE webhooks (
+  owner TEXT NOT NULL,
+  id TEXT NOT NULL,
+  url TEXT NOT NULL,
+  secret TEXT NOT NULL,
+  states TEXT NOT NULL,
+  label TEXT NOT NULL,
+  created_ms INTEGER NOT NULL,
+  PRIMARY KEY (owner, id)
+) STRICT;
+CREATE TABLE deliveries (
+  number INTEGER PRIMARY KEY AUTOINCREMENT,
+  owner TEXT NOT NULL,
+  webhook TEXT NOT NULL,
+  event INTEGER NOT NULL,
+  at_ms INTEGER NOT NULL,
+  job TEXT NOT NULL,
+  project_id TEXT NOT NULL,
+  name TEXT NOT NULL,
+  state TEXT NOT NULL,
+  reason_code TEXT NOT NULL,
+  outcome TEXT NOT NULL DEFAULT 'waiting',
+  attempts INTEGER NOT NULL DEFAULT 0,
+  next_ms INTEGER NOT NULL DEFAULT 0,
+  status INTEGER NOT NULL DEFAULT 0,
+  error TEXT NOT NULL DEFAULT ''
+) STRICT;
+CREATE INDEX deliveries_by_webhook ON deliveries (owner, webhook, number);
+CREATE INDEX deliveries_that_wait ON deliveries (owner, next_ms) WHERE outcome = 'waiting';
+CREATE TRIGGER ends_are_told AFTER INSERT ON events WHEN NEW.state IN ('succeeded', 'failed', 'cancelled') BEGIN
+  INSERT INTO deliveries (owner, webhook, event, at_ms, job, project_id, name, state, reason_code)
+  SELECT NEW.owner, w.id, NEW.number, NEW.at_ms, NEW.job, NEW.project_id, NEW.name, NEW.state, NEW.reason_code
+  FROM webhooks w WHERE w.owner = NEW.owner AND instr(',' || w.states || ',', ',' || NEW.state || ',') > 0;
+END;
+CREATE TRIGGER old_deliveries_go AFTER INSERT ON deliveries BEGIN
+  DELETE FROM deliveries WHERE owner = NEW.owner AND webhook = NEW.webhook AND number <=
+    (SELECT number FROM deliveries WHERE owner = NEW.owner AND webhook = NEW.webhook ORDER BY number DESC LIMIT 1 OFFSET 500);
+END;
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

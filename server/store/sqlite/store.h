@@ -20,6 +20,7 @@
 #include "server/store/sqlite/database.h"
 #include "server/store/sqlite/links.h"
 #include "server/store/store.h"
+#include "server/store/webhooks.h"
 
 namespace toile::sqlite {
 
@@ -29,7 +30,7 @@ struct BlobPlace {
   std::int64_t size = 0;
 };
 
-class SqliteStore final : public store::Store, public store::Events {
+class SqliteStore final : public store::Store, public store::Events, public store::Webhooks {
  public:
   struct Locks {
     std::optional<store::FolderLock> server;
@@ -128,6 +129,15 @@ class SqliteStore final : public store::Store, public store::Events {
   Result<std::vector<store::EventRow>> events_after(const store::OwnerId& owner, std::int64_t number,
                                                     int limit) override;
   Result<std::int64_t> newest_event(const store::OwnerId& owner) override;
+
+  Result<store::WebhookRow> add_webhook(store::WebhookRow row) override;
+  Result<std::vector<store::WebhookRow>> webhooks(const store::OwnerId& owner) override;
+  Status remove_webhook(const store::OwnerId& owner, const std::string& id) override;
+  Status ping_webhook(const store::OwnerId& owner, const std::string& id) override;
+  Result<std::vector<store::DeliveryRow>> deliveries(const store::OwnerId& owner, const std::string& id,
+                                                     int limit) override;
+  Result<std::vector<store::DueDelivery>> due_deliveries(std::int64_t now_ms) override;
+  Status change_delivery(const store::DeliveryRow& row) override;
 
  private:
   // What follows expects mutex_ to be held.

@@ -255,6 +255,16 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   const std::string asset = member(recorded("POST", "/api/v1/bodies?name=post.obj", kPost), "id");
   EXPECT_EQ(recorded("GET", "/api/v1/events").status, 200);
   recorded("GET", "/api/v1/events?after=x");
+  const std::string hook = R"({"url": "https://example.org/told"})";
+  EXPECT_EQ(recorded("POST", "/api/v1/webhooks", hook, kJson).status, 201);
+  recorded("POST", "/api/v1/webhooks", "{}", kJson);
+  const auto hooks = json::parse_json(recorded("GET", "/api/v1/webhooks").body);
+  const std::string hook_place =
+      "/api/v1/webhooks/" + *hooks->find("webhooks")->array()->front().find("id")->text();
+  EXPECT_EQ(recorded("POST", hook_place + "/ping").status, 202);
+  EXPECT_EQ(recorded("GET", hook_place + "/deliveries").status, 200);
+  EXPECT_EQ(recorded("DELETE", hook_place).status, 204);
+  recorded("DELETE", hook_place);
   recorded("GET", "/api/v1/assets");
   recorded("GET", "/api/v1/bodies");
   recorded("GET", "/api/v1/assets/" + asset);

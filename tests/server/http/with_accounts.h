@@ -5,6 +5,7 @@
 #include <string>
 
 #include "server/accounts/secrets.h"
+#include "server/store/webhooks.h"
 #include "tests/core/image/pictures.h"
 #include "tests/server/http/contract_routes.h"
 #include "tests/server/http/dressed.h"
@@ -77,8 +78,14 @@ class Accounts : public Served {
     link.takes = {true, true, true};
     shared = accounts::new_secret();
     const std::string link_id = store->links()->add_link(link, accounts::hash_of_secret(shared))->id;
+    store::WebhookRow webhook;
+    webhook.owner = anna.id;
+    webhook.url = "https://example.org/";
+    webhook.states = {"cancelled"};
+    const std::string hook = store::webhooks_of(*store)->add_webhook(webhook)->id;
     things = {{"assets", asset}, {"bodies", asset},  {"projects", project}, {"jobs", job},
-              {"keys", key},     {"links", link_id}, {"shared", link_id},   {"admin/accounts", ben.id}};
+              {"keys", key},     {"links", link_id}, {"shared", link_id},   {"admin/accounts", ben.id},
+              {"webhooks", hook}};
     ASSERT_FALSE(asset.empty() || project.empty() || job.empty());
   }
 
@@ -112,6 +119,7 @@ class Accounts : public Served {
          R"({"mannequin": {"preset": "eu40", "triangles": 1000}})"},
         {"PUT /api/v1/projects/{id}/bodies/{body}/landmarks/{landmark}", R"({"place": [0, 1, 0.2]})"},
         {"POST /api/v1/projects/{id}/place", R"({"piece": "back", "side": "back"})"},
+        {"POST /api/v1/webhooks", R"({"url": "https://example.org/other"})"},
         {"POST /api/v1/shared", R"({"secret": "guess"})"},
         {"POST /api/v1/jobs", "{\"project_id\": \"" + things["projects"] + "\"}"},
     };

@@ -1056,6 +1056,92 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/webhooks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The webhooks of whoever asks, newest first */
+        get: operations["listWebhooks"];
+        put?: never;
+        /**
+         * Have an address told when a drape has ended
+         * @description From now on each job that comes to one of the states is told to the address by a POST whose body is a WebhookMessage. Its secret is
+         *     told this once. A message brings `Toile-Delivery` with its number, by which what is told twice is known, and `Toile-Signature: t=SECONDS,v1=HEX`,
+         *     where HEX is the HMAC-SHA256 of `SECONDS.BODY` under the secret, and SECONDS the Unix time at which it was sent. Any answer of 2xx within 8 s takes it; else it is
+         *     told again after 10 s, 1 min, 5 min, 30 min, 2 h, 6 h and 12 h, and then given up. 410 ends it at once. Redirections are not followed. What is to
+         *     be told is kept with the job, so that no stop and no crash of the service loses it. Addresses of the loopback and of private networks
+         *     are not told unless whoever runs the service allows it (`toile serve --webhooks-to-private`); that is looked at when something is told. An owner has 10 at most.
+         */
+        post: operations["makeWebhook"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/webhooks/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example w_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["WebhookId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** Tell the address nothing any more, not even what waits */
+        delete: operations["removeWebhook"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/webhooks/{id}/ping": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example w_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["WebhookId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Tell the address something of no job, to try it */
+        post: operations["pingWebhook"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/webhooks/{id}/deliveries": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example w_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["WebhookId"];
+            };
+            cookie?: never;
+        };
+        /** What the address was told and is to be told, the newest hundred */
+        get: operations["listDeliveries"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/links": {
         parameters: {
             query?: never;
@@ -1992,6 +2078,35 @@ export interface components {
             cloth_cloth: number;
             /** @description wall time of a substep */
             step_ms: number;
+        };
+        /** @enum {string} */
+        FinalState: "succeeded" | "failed" | "cancelled";
+        Webhook: {
+            id: string;
+            url: string;
+            states: components["schemas"]["FinalState"][];
+            label: string;
+            created_ms: number;
+        };
+        Delivery: {
+            /** @description Its number */
+            delivery: number;
+            /** @description Number of the event, as the feed has it; 0 of a ping */
+            event: number;
+            /** @description Empty of a ping */
+            job: string;
+            /** @enum {string} */
+            state: "succeeded" | "failed" | "cancelled" | "ping";
+            at_ms: number;
+            /** @enum {string} */
+            outcome: "waiting" | "delivered" | "given_up";
+            attempts: number;
+            /** @description When it is told again; 0 when it is not any more */
+            next_ms: number;
+            /** @description Of the last answer; 0 where there was none */
+            status: number;
+            /** @description What was wrong the last time */
+            error: string;
         };
         JobEvent: {
             /** @description Its id */
@@ -3714,6 +3829,8 @@ export interface components {
         AssetId: string;
         /** @example p_1qedqq1nd5hfbjxpm78j */
         ProjectId: string;
+        /** @example w_1qedqq1nd5hfbjxpm78j */
+        WebhookId: string;
         /**
          * @description ETags of what the client has
          * @example "ba5eba11ba5eba11ba5eba11ba5eba11"
@@ -5805,6 +5922,154 @@ export interface operations {
             };
             400: components["responses"]["Problem"];
             429: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listWebhooks: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description All of them, without their secrets */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        webhooks: components["schemas"]["Webhook"][];
+                    };
+                };
+            };
+            401: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    makeWebhook: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "url": "https://example.org/toile",
+                 *       "states": [
+                 *         "succeeded",
+                 *         "failed"
+                 *       ]
+                 *     }
+                 */
+                "application/json": {
+                    /** @description http or https */
+                    url: string;
+                    /** @description Those that are told; all where it is not there */
+                    states?: [
+                        components["schemas"]["FinalState"],
+                        ...components["schemas"]["FinalState"][]
+                    ];
+                    label?: string;
+                };
+            };
+        };
+        responses: {
+            /** @description The webhook with its secret */
+            201: {
+                headers: {
+                    Location: components["headers"]["Location"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        webhook: components["schemas"]["Webhook"];
+                        secret: string;
+                    };
+                };
+            };
+            400: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            415: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    removeWebhook: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example w_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["WebhookId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It is gone */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    pingWebhook: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example w_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["WebhookId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It will be told; the deliveries say how it went */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listDeliveries: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example w_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["WebhookId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        deliveries: components["schemas"]["Delivery"][];
+                    };
+                };
+            };
+            404: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
