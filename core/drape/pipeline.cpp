@@ -229,8 +229,10 @@ bool DrapeRun::ends_badly() const {
                        [&](const preflight::Finding& f) { return f.kind == kind; });
   };
   // What is too wide falls from any start.
-  const bool amiss = told(preflight::FindingKind::kRingOff) || told(preflight::FindingKind::kElsewhere) ||
-                     told(preflight::FindingKind::kNeckShut);
+  // Threads between pieces that stand low close below the shoulders; putting on begins above them.
+  const bool below = start_ == kSewnInPlace && told(preflight::FindingKind::kOffShoulder);
+  const bool amiss = below || told(preflight::FindingKind::kRingOff) ||
+                     told(preflight::FindingKind::kElsewhere) || told(preflight::FindingKind::kNeckShut);
   return amiss && !told(preflight::FindingKind::kOnGround);
 }
 

@@ -1,6 +1,7 @@
 #include "core/drape/worn_verdict.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/base/aabb.h"
@@ -14,6 +15,7 @@ namespace {
 
 /// m that what hangs together may come down by until its parts that are to carry it do.
 constexpr double kSlipped = 0.2;
+constexpr double kUpperEnd = 0.4;  // m, from a hood's top to the shoulders at most
 constexpr double kDropped = 0.01;  // m above the ankles: what lies under that all around has fallen
 
 preflight::Concerns pieces_of(const DrapeInput& input, const sewing::GarmentMesh& garment,
@@ -37,21 +39,26 @@ void tell_slit(const DrapeInput& input, const sewing::GarmentMesh& garment, cons
   if (verdict.worn == Worn::kYes) verdict.worn = Worn::kPartly;
 }
 
-/// Sewn parts that came down from where they began, by their first panels: how far, m.
+/// Sewn parts that came down from where they began, by their first panels: how far, m. A hood that falls back
+/// and a collar that turns over are the highest of a garment that stays: all that reached up to its upper end
+/// must have come down.
 std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& garment,
                                                     std::span<const double> tops,
                                                     std::span<const double> tops_now) {
   DisjointSets parts(tops.size());
   for (const auto& [i, j] : garment.sewn) parts.join(garment.panel_of_vertex[i], garment.panel_of_vertex[j]);
-  std::vector<double> began(tops.size(), -1e9), now(tops.size(), -1e9);
+  std::vector<double> began(tops.size(), -HUGE_VAL), least(tops.size(), HUGE_VAL);
+  for (std::size_t p = 0; p < tops.size(); ++p) {
+    double& top = began[parts.root(static_cast<Index>(p))];
+    top = std::max(top, tops[p]);
+  }
   for (std::size_t p = 0; p < tops.size(); ++p) {
     const Index part = parts.root(static_cast<Index>(p));
-    began[part] = std::max(began[part], tops[p]);
-    now[part] = std::max(now[part], tops_now[p]);
+    if (tops[p] >= began[part] - kUpperEnd) least[part] = std::min(least[part], tops[p] - tops_now[p]);
   }
   std::vector<std::pair<Index, double>> slipped;
   for (Index p = 0; p < static_cast<Index>(tops.size()); ++p)
-    if (parts.root(p) == p && began[p] - now[p] > kSlipped) slipped.emplace_back(p, began[p] - now[p]);
+    if (parts.root(p) == p && least[p] > kSlipped) slipped.emplace_back(p, least[p]);
   return slipped;
 }
 

@@ -57,6 +57,20 @@ TEST(WornPlace, AShirtThatLiesBelowBothShouldersHasSlidOffThem) {
             2);
 }
 
+TEST(WornPlace, AHoodThatFellBackIsNoGarmentThatSlipped) {
+  const OnBody shirt(test::shirt());
+  std::vector<double> tops = drape::tops_of(shirt.start.placed.garment, shirt.x);
+  const auto slipped = [&] {
+    return told(drape::judge_worn(shirt.input, test::person(), shirt.start.placed.garment, shirt.x, tops, {})
+                    .findings,
+                preflight::FindingKind::kSlipped);
+  };
+  tops[0] += 0.35;  // one piece was that much higher than it is, as a hood on the head
+  EXPECT_FALSE(slipped());
+  for (std::size_t p = 1; p < tops.size(); ++p) tops[p] += 0.35;
+  EXPECT_TRUE(slipped());
+}
+
 /// It began below them, as a dress does that leaves the shoulders bare.
 TEST(WornPlace, WhatNeverLayOnAShoulderHasNotSlidOffIt) {
   const OnBody shirt(test::shirt());
