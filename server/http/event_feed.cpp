@@ -1,6 +1,7 @@
 #include "server/http/event_feed.h"
 
 #include <boost/asio/as_tuple.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 
 #include <sys/socket.h>
@@ -46,8 +47,7 @@ EventFeed::EventFeed(ws::Line line, AnswerWriter& writer, const ws::StreamServic
       services_(services),
       asked_(asked),
       events_(store::events_of(services.store)),
-      after_(after),
-      pause_(line_.get_executor()) {}
+      after_(after) {}
 
 asio::awaitable<void> EventFeed::run() {
   watch_for_end();
@@ -56,8 +56,8 @@ asio::awaitable<void> EventFeed::run() {
     if (!told) break;
     const bool good = co_await may_go_on();
     if (!good || over_) break;
-    pause_.expires_after(kLookEvery);
-    co_await pause_.async_wait(kTuple);
+    asio::steady_timer pause(line_.get_executor(), kLookEvery);
+    co_await pause.async_wait(kTuple);
   }
   boost::system::error_code ignored;
   line_.socket().cancel(ignored);
@@ -100,11 +100,6 @@ asio::awaitable<bool> EventFeed::may_go_on() {
   checked_ = Clock::now();
   const auto look = [this] { return services_.may_go_on(asked_); };
   co_return co_await ws::on_pool(services_.pool, look);
-}
-
-void EventFeed::stop() {
-  over_ = true;
-  pause_.cancel();
 }
 
 }  // namespace toile::http

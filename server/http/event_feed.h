@@ -2,7 +2,6 @@
 // An answer that does not end: what becomes of somebody's jobs, told as it happens. Internal to http.
 
 #include <boost/asio/awaitable.hpp>
-#include <boost/asio/steady_timer.hpp>
 
 #include <chrono>
 #include <cstdint>
@@ -54,7 +53,8 @@ class EventFeed {
             const store::RequestContext& asked, std::int64_t after);
   /// After the answer's beginning has been written.
   boost::asio::awaitable<void> run();
-  void stop();
+  /// It ends when it looks next.
+  void stop() { over_ = true; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -69,7 +69,6 @@ class EventFeed {
   const store::RequestContext& asked_;
   store::Events* const events_;
   std::int64_t after_;  ///< the last that has been told
-  boost::asio::steady_timer pause_;
   Clock::time_point told_ = Clock::now(), checked_ = Clock::now();
   const std::shared_ptr<bool> gone_ = std::make_shared<bool>(false);  ///< the other side is
   bool over_ = false;

@@ -1,5 +1,6 @@
 // /api/v1/jobs: drapes, their results and what viewers need beside the stream.
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "core/base/names.h"
 #include "server/http/handlers/answer.h"
 #include "server/http/handlers/api.h"
+#include "server/http/handlers/job_tags.h"
 #include "server/http/handlers/job_views.h"
 #include "server/http/problem.h"
 #include "server/http/static_files.h"
@@ -19,7 +21,9 @@ std::string place_of(const store::JobRow& job) { return "/api/v1/jobs/" + job.id
 
 http::HttpResponse job_answer(const Api& api, const store::RequestContext& context,
                               const store::JobRow& job) {
-  return json_answer(200, job_members_now(api, context, job), "report",
+  std::vector<json::JsonMember> members = job_members_now(api, context, job);
+  members.push_back({"tags", tags_of(api, context, job.id)});
+  return json_answer(200, std::move(members), "report",
                      job.report.empty() || !store::is_final(job.state) ? "null" : job.report);
 }
 
@@ -41,10 +45,21 @@ Result<jobs::JobWish> read_wish(const json::JsonValue& given) {
   return wish;
 }
 
+/// A job that was asked for, with its tags. Whoever asks again with the same key, because a crash came in
+/// between, gives them again.
+http::HttpResponse tagged(const Api& api, const store::RequestContext& context,
+                          const store::Made<store::JobRow>& job, const store::Tags& tags) {
+  if (!tags.empty()) {
+    const Status kept = search_in(api).set_tags(context, job.id, tags);
+    if (!kept) return http::problem(kept.error());
+  }
+  return made_answer(job_answer(api, context, job), job.anew, place_of(job));
+}
+
 http::HttpResponse submit(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
-  const Result<json::JsonValue> given = read_object(request, {"project_id", "priority", "anew", "from"},
-                                                    {.bytes = http::kSmallBody, .depth = 32});
+  const Result<json::JsonValue> given = read_object(
+      request, {"project_id", "priority", "anew", "from", "tags"}, {.bytes = http::kSmallBody, .depth = 32});
   if (!given) return http::problem(given.error());
   const json::JsonValue* id = given->find("project_id");
   if (!id || !id->text()) {
@@ -52,9 +67,11 @@ http::HttpResponse submit(const Api& api, const store::RequestContext& context,
   }
   const Result<jobs::JobWish> wish = read_wish(*given);
   if (!wish) return http::problem(422, wish.error());
+  const Result<store::Tags> tags = read_tags(*given);
+  if (!tags) return http::problem(422, tags.error());
   const Result<store::Made<store::JobRow>> job =
       api.jobs.submit(context, *id->text(), request.header("idempotency-key"), *wish);
-  if (job) return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
+  if (job) return tagged(api, context, *job, *tags);
   if (job.error().kind != ErrorKind::kNotFound) return http::problem(job.error());
   return http::problem(404, {"store.not_found", "there is no project " + in_quotes(*id->text()),
                              "/project_id", ErrorKind::kNotFound});
@@ -64,11 +81,40 @@ http::HttpResponse list(const Api& api, const store::RequestContext& context,
                         const http::HttpRequest& request) {
   const Result<Page> page = read_page(request);
   if (!page) return http::problem(400, page.error());
-  Result<std::vector<store::JobRow>> rows = api.store.jobs(context, page->cursor, page->limit + 1);
+  const Result<store::JobQuery> query = read_query(request);
+  if (!query) return http::problem(query.error());
+  store::JobSearch& search = search_in(api);
+  Result<std::vector<store::JobRow>> rows = search.find_jobs(context, *query, page->cursor, page->limit + 1);
   if (!rows) return http::problem(rows.error());
+  std::map<std::string, store::Tags> tags;
+  if (!rows->empty()) {
+    auto found = search.tags_of_jobs(context.owner, rows->back().id, rows->front().id);
+    if (!found) return http::problem(found.error());
+    tags = std::move(*found);
+  }
   return page_answer("jobs", *page, std::move(*rows), [&](const store::JobRow& row) {
-    return json::JsonValue(job_members_now(api, context, row));
+    std::vector<json::JsonMember> members = job_members_now(api, context, row);
+    members.push_back({"tags", tag_list(tags[row.id])});
+    return json::JsonValue(std::move(members));
   });
+}
+
+/// In place of those that the job has.
+http::HttpResponse tag(const Api& api, const store::RequestContext& context,
+                       const http::HttpRequest& request) {
+  const Result<json::JsonValue> given =
+      read_object(request, {"tags"}, {.bytes = http::kSmallBody, .depth = 8});
+  if (!given) return http::problem(given.error());
+  const Result<store::Tags> tags = read_tags(*given);
+  if (!tags) return http::problem(422, tags.error());
+  const Status kept = search_in(api).set_tags(context, request.captures[0], *tags);
+  return kept ? json_answer(200, {{"tags", tag_list(*tags)}}) : http::problem(kept.error());
+}
+
+/// What was asked for has the tags of what it was asked for again.
+store::Tags tags_before(const Api& api, const store::RequestContext& context, const std::string& id) {
+  const auto tags = search_in(api).tags_of_jobs(context.owner, id, id);
+  return tags && tags->contains(id) ? tags->at(id) : store::Tags{};
 }
 
 http::HttpResponse show(const Api& api, const store::RequestContext& context,
@@ -102,7 +148,7 @@ http::HttpResponse retry(const Api& api, const store::RequestContext& context,
   const Result<store::Made<store::JobRow>> job =
       api.jobs.retry(context, request.captures[0], request.header("idempotency-key"));
   if (!job) return http::problem(job.error());
-  return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
+  return tagged(api, context, *job, tags_before(api, context, request.captures[0]));
 }
 
 http::HttpResponse remove(const Api& api, const store::RequestContext& context,
@@ -143,6 +189,12 @@ http::HttpResponse stream(const Api& api, const store::RequestContext& context,
   return job ? http::HttpResponse{} : http::problem(job.error());
 }
 
+std::vector<std::string> list_parameters() {
+  std::vector<std::string> names = kPageParameters;
+  names.insert(names.end(), kQueryParameters.begin(), kQueryParameters.end());
+  return names;
+}
+
 }  // namespace
 
 ApiRoutes job_routes() {
@@ -152,7 +204,8 @@ ApiRoutes job_routes() {
        .handler = submit,
        .body = http::BodyKind::kJson,
        .work = http::Work::kDocument},
-      {.pattern = "/api/v1/jobs", .handler = list, .parameters = kPageParameters},
+      {.pattern = "/api/v1/jobs", .handler = list, .parameters = list_parameters()},
+      {.method = "PUT", .pattern = "/api/v1/jobs/{id}/tags", .handler = tag, .body = http::BodyKind::kJson},
       {.pattern = "/api/v1/jobs/{id}", .handler = show},
       {.method = "DELETE", .pattern = "/api/v1/jobs/{id}", .handler = remove},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/pause", .handler = pause},

@@ -71,9 +71,9 @@ Result<std::vector<std::string>> read_states(const json::JsonValue& given) {
 Result<store::WebhookRow> read_webhook(const json::JsonValue& given) {
   store::WebhookRow webhook;
   const json::JsonValue* url = given.find("url");
-  const Result<http::RemoteUrl> parts = http::read_remote_url(url && url->text() ? *url->text() : "");
+  if (url && url->text()) webhook.url = *url->text();
+  const Result<http::RemoteUrl> parts = http::read_remote_url(webhook.url);
   if (!parts) return Error{"webhooks.url", parts.error().message, "/url"};
-  webhook.url = *url->text();
   webhook.states = TRY(read_states(given));
   if (const json::JsonValue* label = given.find("label")) {
     if (!label->text() || label->text()->size() > kLongestLabel)

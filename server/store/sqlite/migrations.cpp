@@ -237,6 +237,17 @@ CREATE TRIGGER old_deliveries_go AFTER INSERT ON deliveries BEGIN
     (SELECT number FROM deliveries WHERE owner = NEW.owner AND webhook = NEW.webhook ORDER BY number DESC LIMIT 1 OFFSET 500);
 END;
 )sql"},
+    {13, "words that owners put on jobs", R"sql(
+CREATE TABLE tags (
+  owner TEXT NOT NULL,
+  job TEXT NOT NULL,
+  tag TEXT NOT NULL,
+  PRIMARY KEY (owner, job, tag)
+) STRICT, WITHOUT ROWID;
+CREATE TRIGGER tags_go_with_their_job AFTER DELETE ON jobs BEGIN
+  DELETE FROM tags WHERE owner = OLD.owner AND job = OLD.id;
+END;
+)sql"},
 };
 
 constexpr const char* kRemembered = R"sql(

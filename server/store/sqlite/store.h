@@ -2,6 +2,7 @@
 // The store on one machine: a SQLite database and folders of files. Internal to the store.
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "server/store/folder_lock.h"
 #include "server/store/holders.h"
 #include "server/store/ids.h"
+#include "server/store/job_search.h"
 #include "server/store/sqlite/accounts.h"
 #include "server/store/sqlite/database.h"
 #include "server/store/sqlite/links.h"
@@ -30,7 +32,10 @@ struct BlobPlace {
   std::int64_t size = 0;
 };
 
-class SqliteStore final : public store::Store, public store::Events, public store::Webhooks {
+class SqliteStore final : public store::Store,
+                          public store::Events,
+                          public store::Webhooks,
+                          public store::JobSearch {
  public:
   struct Locks {
     std::optional<store::FolderLock> server;
@@ -138,6 +143,15 @@ class SqliteStore final : public store::Store, public store::Events, public stor
                                                      int limit) override;
   Result<std::vector<store::DueDelivery>> due_deliveries(std::int64_t now_ms) override;
   Status change_delivery(const store::DeliveryRow& row) override;
+
+  Result<std::vector<store::JobRow>> find_jobs(const store::RequestContext& context,
+                                               const store::JobQuery& query, const std::string& cursor,
+                                               int limit) override;
+  Status set_tags(const store::RequestContext& context, const std::string& job,
+                  const store::Tags& tags) override;
+  Result<std::map<std::string, store::Tags>> tags_of_jobs(const store::OwnerId& owner,
+                                                          const std::string& first,
+                                                          const std::string& last) override;
 
  private:
   // What follows expects mutex_ to be held.

@@ -253,6 +253,8 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   const std::string given = "{\"asset\": \"" + member(kept, "id") + "\"}";
   EXPECT_EQ(recorded("POST", "/api/v1/imports", given, kJson).status, 200);
   const std::string asset = member(recorded("POST", "/api/v1/bodies?name=post.obj", kPost), "id");
+  recorded("GET", "/api/v1/jobs?state=asleep");
+  recorded("PUT", "/api/v1/jobs/j_0/tags", R"({"tags": ["spring"]})", kJson);
   EXPECT_EQ(recorded("GET", "/api/v1/events").status, 200);
   recorded("GET", "/api/v1/events?after=x");
   const std::string hook = R"({"url": "https://example.org/told"})";
@@ -316,6 +318,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", address + "/results/report.json/small");
   record_links(address);
   record_movies(address);
+  EXPECT_EQ(recorded("PUT", address + "/tags", R"({"tags": ["spring"]})", kJson).status, 200);
   recorded("GET", address + "/report");
   recorded("GET", address + "/log");
   recorded("GET", address + "/body");

@@ -686,7 +686,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Jobs without their reports, newest first */
+        /**
+         * Jobs without their reports, newest first
+         * @description What is asked for by several parameters must all fit.
+         */
         get: operations["listJobs"];
         put?: never;
         /**
@@ -719,6 +722,26 @@ export interface paths {
         post?: never;
         /** Remove a job that has ended, with its results */
         delete: operations["removeJob"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/tags": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        /** Put tags on a job, in place of those that it has */
+        put: operations["tagJob"];
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -2160,8 +2183,13 @@ export interface components {
         };
         /** @description null once the job has ended */
         ProgressNow: components["schemas"]["Progress"] | null;
+        /** @description What its owner calls it; for nobody who sees it by a link */
+        Tags: string[];
         /**
          * @example {
+         *       "tags": [
+         *         "spring"
+         *       ],
          *       "id": "j_1qedqq1nd5hfbjxpm78j",
          *       "project_id": "p_1qedqq1nd5hfbjxpm78j",
          *       "project_revision": 1,
@@ -2194,9 +2222,11 @@ export interface components {
          */
         JobSummary: components["schemas"]["JobFields"] & {
             progress: components["schemas"]["ProgressNow"];
+            tags: components["schemas"]["Tags"];
         };
         Job: components["schemas"]["JobFields"] & {
             progress: components["schemas"]["ProgressNow"];
+            tags: components["schemas"]["Tags"];
             /** @description report.json; null until there is one */
             report: components["schemas"]["report.schema"] | null;
         };
@@ -5317,6 +5347,25 @@ export interface operations {
     listJobs: {
         parameters: {
             query?: {
+                /**
+                 * @description One of these, with commas between them
+                 * @example queued,running
+                 */
+                state?: string;
+                /**
+                 * @description Of this project
+                 * @example p_1qedqq1nd5hfbjxpm78j
+                 */
+                project?: string;
+                /**
+                 * @description With this tag
+                 * @example spring
+                 */
+                tag?: string;
+                /** @description Made then or later, Unix milliseconds */
+                since?: number;
+                /** @description Made before, Unix milliseconds */
+                until?: number;
                 /** @description The "next" of the page before */
                 cursor?: components["parameters"]["Cursor"];
                 limit?: components["parameters"]["Limit"];
@@ -5368,6 +5417,7 @@ export interface operations {
                 "application/json": {
                     project_id: string;
                     priority?: components["schemas"]["JobPriority"];
+                    tags?: components["schemas"]["Tags"];
                     /**
                      * @description id of a job that has ended: the drape goes on from how the garment hung then, though the pattern, the fabric or
                      *     the body has been edited since, and takes a fraction of the time. Where that cannot be it begins from the
@@ -5432,6 +5482,49 @@ export interface operations {
             };
             404: components["responses"]["Problem"];
             409: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    tagJob: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "tags": [
+                 *         "spring",
+                 *         "atelier"
+                 *       ]
+                 *     }
+                 */
+                "application/json": {
+                    tags: components["schemas"]["Tags"];
+                };
+            };
+        };
+        responses: {
+            /** @description Those that it has now */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        tags: components["schemas"]["Tags"];
+                    };
+                };
+            };
+            404: components["responses"]["Problem"];
+            415: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
