@@ -15,7 +15,7 @@ namespace {
 
 /// m that what hangs together may come down by until its parts that are to carry it do.
 constexpr double kSlipped = 0.2;
-constexpr double kUpperEnd = 0.4;  // m, from a hood's top to the shoulders at most
+constexpr double kUpperEnd = 0.3;  // m, below the highest place or the neck, whichever is lower
 constexpr double kDropped = 0.01;  // m above the ankles: what lies under that all around has fallen
 
 preflight::Concerns pieces_of(const DrapeInput& input, const sewing::GarmentMesh& garment,
@@ -44,13 +44,13 @@ void tell_slit(const DrapeInput& input, const sewing::GarmentMesh& garment, cons
 /// must have come down.
 std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& garment,
                                                     std::span<const double> tops,
-                                                    std::span<const double> tops_now) {
+                                                    std::span<const double> tops_now, double neck) {
   DisjointSets parts(tops.size());
   for (const auto& [i, j] : garment.sewn) parts.join(garment.panel_of_vertex[i], garment.panel_of_vertex[j]);
   std::vector<double> began(tops.size(), -HUGE_VAL), least(tops.size(), HUGE_VAL);
   for (std::size_t p = 0; p < tops.size(); ++p) {
     double& top = began[parts.root(static_cast<Index>(p))];
-    top = std::max(top, tops[p]);
+    top = std::max(top, std::min(neck, tops[p]));
   }
   for (std::size_t p = 0; p < tops.size(); ++p) {
     const Index part = parts.root(static_cast<Index>(p));
@@ -99,7 +99,8 @@ WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Pe
         "the ring of " + preflight::length_text(ring.girth) + " ended around no part of the body",
         pieces_of(input, garment, ring.vertices), x[ring.vertices.front()]);
   }
-  for (const auto& [panel, by] : slipped_parts(garment, tops, tops_of(garment, x))) {
+  const double neck = std::max(person->figure.neck_side[0].y, person->figure.neck_side[1].y);
+  for (const auto& [panel, by] : slipped_parts(garment, tops, tops_of(garment, x), neck)) {
     add(preflight::FindingKind::kSlipped,
         "what hangs together here slipped " + preflight::length_text(by) +
             " down from where it was put on; something to hold it up is missing, or it is too wide",

@@ -65,7 +65,7 @@ TEST(WornPlace, AHoodThatFellBackIsNoGarmentThatSlipped) {
                     .findings,
                 preflight::FindingKind::kSlipped);
   };
-  tops[0] += 0.35;  // one piece was that much higher than it is, as a hood on the head
+  tops[0] += 0.55;  // one piece was that much higher than it is, as a hood before it lay on the head
   EXPECT_FALSE(slipped());
   for (std::size_t p = 1; p < tops.size(); ++p) tops[p] += 0.35;
   EXPECT_TRUE(slipped());
