@@ -201,8 +201,13 @@ Result<InUnit> read_in_its_unit(const Drawing& drawing, const DxfSettings& setti
       settings.mm_per_unit ? given_unit(*settings.mm_per_unit) : decide_unit(drawing.file, texts, {});
   const bool sew_layer = has_sew_layer(drawing.file);
   Attempt attempt = TRY(read_all(drawing, {settings, first.mm, sew_layer}));
-  if (settings.mm_per_unit) return InUnit{first, std::move(attempt)};
-  DxfUnit unit = decide_unit(drawing.file, texts, extents_of(attempt, drawing.layout, first.mm));
+  const std::vector<double> extents = extents_of(attempt, drawing.layout, first.mm);
+  DxfUnit unit = decide_unit(drawing.file, texts, extents);
+  if (settings.mm_per_unit) {
+    const std::string doubt = doubt_of_given(first, unit, extents);
+    if (!doubt.empty()) attempt.log.warn(0, doubt);
+    return InUnit{first, std::move(attempt)};
+  }
   if (unit.mm != first.mm) attempt = TRY(read_all(drawing, {settings, unit.mm, sew_layer}));
   return InUnit{std::move(unit), std::move(attempt)};
 }

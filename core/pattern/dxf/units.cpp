@@ -110,10 +110,15 @@ Evidence text_evidence(const DxfUnitText& text) {
   return e;
 }
 
-/// Nothing when no piece has a size.
-std::optional<Evidence> size_evidence(const std::vector<double>& extents) {
+double largest_of(const std::vector<double>& extents) {
   double largest = 0;
   for (const double e : extents) largest = std::max(largest, e);
+  return largest;
+}
+
+/// Nothing when no piece has a size.
+std::optional<Evidence> size_evidence(const std::vector<double>& extents) {
+  const double largest = largest_of(extents);
   if (!(largest > 0)) return std::nullopt;
   Evidence e;
   std::string as;
@@ -158,6 +163,15 @@ DxfUnit given_unit(double mm_per_unit) {
   const auto it = std::find_if(kCandidates.begin(), kCandidates.end(),
                                [&](const Candidate& c) { return c.mm == mm_per_unit; });
   return {it == kCandidates.end() ? "other" : it->name, mm_per_unit, 1, {"asked for"}};
+}
+
+std::string doubt_of_given(const DxfUnit& given, const DxfUnit& own, const std::vector<double>& extents) {
+  constexpr double kShortest = 30, kLongest = 5000;  // mm, of a garment's largest piece
+  const double largest = largest_of(extents), mm = largest * given.mm;
+  if (own.mm == given.mm || largest == 0 || (mm > kShortest && mm < kLongest)) return "";
+  return "the largest piece is " + length_words(mm) + " in the unit that was asked for (" + given.name +
+         "); by itself the file would be taken to be in " + own.name + ", and that piece to be " +
+         length_words(largest * own.mm) + ": leave the unit out, or give " + own.name;
 }
 
 }  // namespace toile::dxf

@@ -27,4 +27,8 @@ DxfUnit decide_unit(const DxfFile& file, const std::vector<DxfUnitText>& texts,
 /// The unit that the settings ask for.
 DxfUnit given_unit(double mm_per_unit);
 
+/// Why a unit that was asked for is hardly meant: nobody wears pieces of that size, and the drawing's own
+/// unit (decide_unit) makes garments of them. Empty where that cannot be said.
+std::string doubt_of_given(const DxfUnit& given, const DxfUnit& own, const std::vector<double>& extents);
+
 }  // namespace toile::dxf

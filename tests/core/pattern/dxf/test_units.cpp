@@ -54,6 +54,21 @@ TEST(DxfUnits, WithoutAWordTheSizeDecidesAndTheDoubtIsTold) {
   EXPECT_TRUE(told(unsure, "the unit is not sure"));
 }
 
+TEST(DxfUnits, AUnitThatWasAskedForIsTakenAndAGiantIsTold) {
+  const auto read_in = [](double height, double mm_per_unit) {
+    dxf::DxfSettings settings;
+    settings.mm_per_unit = mm_per_unit;
+    return read_trial(drawing(height, "", header(4)), settings);
+  };
+  const dxf::DxfDrawing giant = read_in(700, 25.4);
+  EXPECT_EQ(giant.unit.name, "inch");
+  EXPECT_TRUE(told(giant, "the largest piece is 17.8 m in the unit that was asked for (inch)"));
+  EXPECT_TRUE(told(giant, "that piece to be 700 mm: leave the unit out, or give mm"));
+  EXPECT_TRUE(told(read_in(700, 0.01), "the largest piece is 7.0 mm"));
+  EXPECT_FALSE(told(read_in(150, 25.4), "asked for"));  // 3.8 m: a curtain may be
+  EXPECT_FALSE(told(read_in(6000, 1), "asked for"));    // the file says so itself
+}
+
 TEST(DxfUnits, EvidenceNamesLengthsAsPeopleSayThem) {
   const auto says = [](double height, const std::string& words) {
     for (const std::string& evidence : read_trial(drawing(height)).unit.evidence)
