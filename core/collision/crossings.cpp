@@ -115,9 +115,20 @@ Meeting meeting_of(const Surface& cloth, const Tri& a, const Tri& b) {
   return m;
 }
 
-/// The edge opposite a shared corner is the only one that can pass through the other triangle.
+/// Whether a plane across an axis parts the segment from the triangle.
+bool axis_parts(const ExactPoint& p, const ExactPoint& q, const Corners& t) {
+  const auto parted = [](std::int64_t from, std::int64_t to, std::int64_t a, std::int64_t b, std::int64_t c) {
+    return std::max(from, to) < std::min({a, b, c}) || std::min(from, to) > std::max({a, b, c});
+  };
+  return parted(p.x, q.x, t[0]->x, t[1]->x, t[2]->x) || parted(p.y, q.y, t[0]->y, t[1]->y, t[2]->y) ||
+         parted(p.z, q.z, t[0]->z, t[1]->z, t[2]->z);
+}
+
+/// The edge opposite a shared corner is the only one that can pass through the other triangle. Most edges of
+/// neighbours lie beside it, near its plane or not.
 bool opposite_edge_crosses(const CrossingFace& of, int corner, const CrossingFace& face) {
   const ExactPoint &p = *of.corners[(corner + 1) % 3], &q = *of.corners[(corner + 2) % 3];
+  if (axis_parts(p, q, face.corners)) return false;
   const int side = side_of(face, p);
   if (side != 0 && side == side_of(face, q)) return false;
   const Corners& t = face.corners;

@@ -4,6 +4,7 @@
 
 #include "core/draft/blouse.h"
 #include "core/draft/circle_dress.h"
+#include "core/draft/circle_skirt.h"
 #include "core/draft/house.h"
 #include "core/draft/pencil_skirt.h"
 #include "core/draft/trousers.h"
@@ -19,6 +20,8 @@ const std::vector<GarmentKind>& garment_kinds() {
        [](const Wearer& w) { return draft_slacks(w); }},
       {"pencil-skirt", "Pencil skirt with darts, a waistband and a slit", "eu40",
        [](const Wearer& w) { return draft_pencil_skirt(w); }},
+      {"circle-skirt", "Full circle on a waistband", "eu38",
+       [](const Wearer& w) { return draft_circle_skirt(w); }},
       {"circle-dress", "Sleeveless dress, a darted bodice over a full circle", "eu38",
        [](const Wearer& w) { return draft_circle_dress(w); }},
       {"blouse", "Blouse with a stand collar, a placket, set-in sleeves and cuffs", "eu40",
