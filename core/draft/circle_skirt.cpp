@@ -17,7 +17,8 @@ Garment draft_circle_skirt(const Wearer& w, const CircleSkirtStyle& s) {
                       ring_sector("back", radius, hem, kPi, "side_right", "side_left"),
                       strip("waistband", "waist", around, s.band_height * scale)};
   g.interlinings = {{"waistband", "interlining"}};
-  for (const std::string side : {"side_left", "side_right"}) sew(g, side, {{"front", side}}, {{"back", side}});
+  for (const std::string side : {"side_left", "side_right"})
+    sew(g, side, {{"front", side}}, {{"back", side}});
   sew(g, "waistband", {{"waistband", "waist"}}, {{"back", "waist"}, {"front", "waist"}});
   sew(g, "waistband_end", {{"waistband", "end_a"}}, {{"waistband", "end_b"}});
   g.girths = {{"waist", w.waist, around}};
