@@ -14,9 +14,11 @@
 #include "server/app/console.h"
 #include "server/app/exit_codes_text.h"
 #include "server/app/fabric_verbs.h"
+#include "server/app/help_verbs.h"
 #include "server/app/mesh_reader.h"
 #include "server/app/result_verbs.h"
 #include "server/app/service_verbs.h"
+#include "server/app/usage.h"
 
 namespace toile::app {
 namespace {
@@ -259,18 +261,6 @@ CLI::App* add_project_arrange(CLI::App& project, ProjectArrangeOptions& options)
   return verb;
 }
 
-/// --help and --version, and what is not understood.
-ExitCode instead_of_a_verb(const CLI::App& app, const CLI::ParseError& e) {
-  if (e.get_exit_code() == 0) {
-    app.exit(e);
-    return kDone;
-  }
-  const auto verbs = app.get_subcommands();  // those on the command line
-  const std::string verb = verbs.empty() ? "" : verbs.front()->get_name() + " ";
-  print_error({"usage.arguments", std::string(e.what()) + "; see toile " + verb + "--help", ""}, false);
-  return kBadInput;
-}
-
 ExitCode run(int argc, char** argv) {
   CLI::App app("Toile drapes garments: from a flat sewing pattern to cloth on a body.", "toile");
   app.set_version_flag("--version", std::string("toile ") + TOILE_VERSION);
@@ -303,6 +293,7 @@ ExitCode run(int argc, char** argv) {
   const CLI::App* arrange = add_project_arrange(*project, options.arrange);
   const CLI::App* sample = add_sample(app, options);
   ResultVerbs results(app);
+  HelpVerbs help(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -318,6 +309,7 @@ ExitCode run(int argc, char** argv) {
   if (const std::optional<ExitCode> code = service.run()) return *code;
   if (const std::optional<ExitCode> code = accounts.run()) return *code;
   if (const std::optional<ExitCode> code = results.run()) return *code;
+  if (const std::optional<ExitCode> code = help.run()) return *code;
   if (import->parsed()) return pattern_import_command(options.import);
   if (exporting->parsed()) return pattern_export_command(options.exporting);
   if (sample->parsed()) return sample_command(options.sample);
