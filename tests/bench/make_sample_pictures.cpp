@@ -27,7 +27,7 @@ struct Size {
 };
 constexpr Size kCard{360, 450};   // a picture on the page's cards
 constexpr Size kSmall{240, 300};  // one of a row
-constexpr int kColumns = 4, kQuality = 88;
+constexpr int kColumns = 3, kQuality = 88;
 
 std::string slurp(const fs::path& p) {
   std::ifstream in(p, std::ios::binary);
