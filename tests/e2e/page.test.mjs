@@ -521,7 +521,7 @@ describe('the page', () => {
     assert.match(file.suggestedFilename(), /\.pdf$/);
     const bytes = readFileSync(await file.path());
     assert.equal(bytes.subarray(0, 5).toString(), '%PDF-');
-    assert.match(bytes.toString('latin1'), /MediaBox \[ 0 0 841\.89/, 'A3 is 297 mm wide');
+    assert.match(bytes.toString('latin1'), /MediaBox \[ 0 0 841\.88/, 'A3 is 297 mm wide');
     await shoot(page, '19-pattern-files');
   });
 
