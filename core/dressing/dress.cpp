@@ -290,9 +290,10 @@ bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
          staged(assembly, covers, wearer.figure(), b.staging);
 }
 
+// Folding comes second: it leaves the hems of light cloth turned up, which drawing in as a whole does not.
 const std::vector<DressingWay>& dressing_ways() {
-  static const std::vector<DressingWay> kWays{{{0.12, 0, true, false, Wide::kFolded}, 0.5, 0.3, 0.3},
-                                              {{0.12, 0, true, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
+  static const std::vector<DressingWay> kWays{{{0.12, 0, true, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
+                                              {{0.12, 0, true, false, Wide::kFolded}, 0.5, 0.3, 0.3},
                                               {{0.12, 0.05, false, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
                                               {{0.07, 0.07, true, true, Wide::kSmaller}, 0.5, 0.3, 0.3},
                                               {{0.05, 0.05, true, false, Wide::kSmaller}, 0.5, 0.9, 0.03},
