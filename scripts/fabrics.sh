@@ -1,6 +1,6 @@
 #!/bin/bash
 # Hangs each fabric that a maker names as a circle skirt, a tablecloth and a T-shirt, and draws them side by
-# side: docs/fabrics/NAME.jpg, shown by docs/fabrics.md. Results stay in build/fabrics; what is there already
+# side: build/fabrics/NAME.jpg. Results stay in build/fabrics; what is there already
 # is not draped again. With names only those. All of it takes some fifteen
 # minutes.
 set -euo pipefail
@@ -31,7 +31,7 @@ PYTHON
     rm -f "samples/$shape/of-$name.json"
   done
 done
-mkdir -p docs/fabrics
+
 for name in $names; do
-  build/release/make_sample_pictures --row "build/fabrics/$name" "docs/fabrics/$name.jpg" $shapes
+  build/release/make_sample_pictures --row "build/fabrics/$name" "build/fabrics/$name.jpg" $shapes
 done
