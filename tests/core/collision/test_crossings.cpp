@@ -63,16 +63,26 @@ int brute_force_self(const std::vector<Tri>& triangles, const std::vector<Vec3>&
   return count;
 }
 
-TEST(Crossings, CountsWhatBruteForceCounts) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> place(-0.5, 0.5), size(-0.1, 0.1);
+struct Strewn {
   std::vector<Vec3> x;
   std::vector<Tri> triangles;
+};
+
+/// 300 triangles that share no corner, about centres from `low` to `high`, corners up to `reach` off them.
+Strewn strewn(std::mt19937& random, double low, double high, double reach) {
+  std::uniform_real_distribution<double> place(low, high), size(-reach, reach);
+  Strewn out;
   for (Index t = 0; t < 300; ++t) {
     const Vec3 centre{place(random), place(random), place(random)};
-    for (int k = 0; k < 3; ++k) x.push_back(centre + Vec3{size(random), size(random), size(random)});
-    triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    for (int k = 0; k < 3; ++k) out.x.push_back(centre + Vec3{size(random), size(random), size(random)});
+    out.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
+  return out;
+}
+
+TEST(Crossings, CountsWhatBruteForceCounts) {
+  std::mt19937 random(11);
+  const auto [x, triangles] = strewn(random, -0.5, 0.5, 0.1);
   const collision::Surface surface = collision::make_surface(triangles, static_cast<Index>(x.size()));
   const int expected = brute_force_self(triangles, x);
   ASSERT_GT(expected, 20);
@@ -92,14 +102,8 @@ TEST(Crossings, CountsWhatBruteForceCounts) {
 
 TEST(Crossings, WhatDidNotMoveNeedsNoLook) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(0, 1), size(-0.2, 0.2);
-  std::vector<Vec3> x;
-  std::vector<Tri> triangles;
-  for (Index t = 0; t < 300; ++t) {
-    const Vec3 centre{place(random), place(random), place(random)};
-    for (int k = 0; k < 3; ++k) x.push_back(centre + Vec3{size(random), size(random), size(random)});
-    triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
-  }
+  std::uniform_real_distribution<double> size(-0.2, 0.2);
+  auto [x, triangles] = strewn(random, 0, 1, 0.2);
   const collision::CrossingBody body =
       collision::make_crossing_body(x, std::vector<Tri>(triangles.begin() + 200, triangles.end()));
   triangles.resize(200);

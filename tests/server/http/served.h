@@ -122,6 +122,11 @@ class Served : public testing::Test {
   }
   void TearDown() override {
     if (jobs) jobs->stop();
+    let_go();
+    std::filesystem::remove_all(folder);
+  }
+  /// Of all that serves, in its order; the folder stays.
+  void let_go() {
     server.reset();
     doors.reset();
     link_door.reset();
@@ -129,7 +134,6 @@ class Served : public testing::Test {
     jobs.reset();
     documents.reset();
     store.reset();
-    std::filesystem::remove_all(folder);
   }
 
   Answer get(const std::string& target, const std::string& headers = "") {

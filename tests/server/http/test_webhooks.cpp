@@ -193,13 +193,7 @@ TEST_F(Webhooks, AreToldAfterARestartWhatWasStillToBeTold) {
   inbox.wait_for(1);
   EXPECT_EQ(*delivery(id, 1).find("status")->number(), 500);
   deliverer.reset();
-  server.reset();
-  doors.reset();
-  link_door.reset();
-  movies.reset();
-  jobs.reset();
-  documents.reset();
-  store.reset();
+  let_go();
   store = std::move(*sqlite::open_sqlite_store((folder / "data").string()));
   const auto kept = store::webhooks_of(*store)->deliveries(kMe.owner, id, 10);
   ASSERT_TRUE(kept);
