@@ -33,6 +33,7 @@ import { StateContext } from './state/context';
 import { positionsHash } from './state/LiveCloth';
 import { formatRoute, parseRoute } from './state/routes';
 import { listenForKeys } from './tools/keys';
+import { t } from './texts/language';
 
 // Begins to fetch three.js beside everything else; nothing waits for it but the 3D view.
 const sceneCode = import('./scene/SceneView');
@@ -98,7 +99,7 @@ function retry(): void {
 function Comparison() {
   return (
     <main class="comparing">
-      <h1 class="visually-hidden">Two drapes compared</h1>
+      <h1 class="visually-hidden">{t.frame.twoCompared}</h1>
       <ComparePane code={sceneCode} />
       <ComparisonPanel />
       <StartPage resultUrl={api.resultUrl} />

@@ -17,17 +17,14 @@ import { closeUp, type Bounds, type Pose } from '../src/scene/framing';
 import type { Project } from '../src/api/types';
 import { AppState, ready } from '../src/state/AppState';
 import {
-  centimetres,
   findingCounts,
   freeBodyId,
   isOwn,
-  lengthWords,
   measureTitle,
   nearestPreset,
   pieceOf,
   presetGroups,
   presetTitle,
-  shownLength,
   sliderWay,
   sortedFindings,
   withMeasure,
@@ -37,6 +34,7 @@ import {
 import { assetOf, jobOf, projectOf } from './fakes';
 import type { BoxPlace } from '../src/tools/SceneTool';
 import { bodyOf, figure, findingOf, importOf } from './samples';
+import { centimetres, lengthWords, shownLength } from '../src/texts/units';
 
 describe('lengths', () => {
   it('are the same in both units', () => {

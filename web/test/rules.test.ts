@@ -2,15 +2,16 @@ import { describe, expect, it } from 'vitest';
 
 /** Which folder may import from which; a file of src itself, main, from all. */
 const kAllowed: Record<string, string[]> = {
+  texts: ['texts'],
   api: ['api'],
-  state: ['state', 'api'],
-  commands: ['commands', 'state', 'api'],
+  state: ['state', 'api', 'texts'],
+  commands: ['commands', 'state', 'api', 'texts'],
   workers: ['workers', 'api'],
-  controls: ['controls'],
-  tools: ['tools', 'controls', 'commands', 'state', 'api'],
-  pattern: ['pattern', 'tools', 'commands', 'state', 'api'],
-  scene: ['scene', 'tools', 'commands', 'state', 'api'],
-  panels: ['panels', 'tools', 'controls', 'commands', 'state', 'api'],
+  controls: ['controls', 'texts'],
+  tools: ['tools', 'controls', 'commands', 'state', 'api', 'texts'],
+  pattern: ['pattern', 'tools', 'commands', 'state', 'api', 'texts'],
+  scene: ['scene', 'tools', 'commands', 'state', 'api', 'texts'],
+  panels: ['panels', 'tools', 'controls', 'commands', 'state', 'api', 'texts'],
 };
 
 /** Files that alone take what lies outside of the page: the codec, and the shader that the stills draw seams by. */

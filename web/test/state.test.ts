@@ -13,7 +13,7 @@ import {
 import { kRestingTool } from '../src/state/editing';
 import { LiveCloth, positionsHash } from '../src/state/LiveCloth';
 import { formatRoute, parseRoute } from '../src/state/routes';
-import { ago, bytes, counted, duration, sentence, speed } from '../src/state/words';
+import { ago, bytes, duration, sentence, speed } from '../src/state/words';
 import { jobOf, progressOf, projectOf } from './fakes';
 
 describe('routes', () => {
@@ -161,8 +161,7 @@ describe('words', () => {
       '',
     ]);
     expect([speed(0.00297), speed(1.5)]).toEqual(['3.0 mm/s', '1,500 mm/s']);
-    expect([counted(1, 'piece'), counted(4, 'piece')]).toEqual(['1 piece', '4 pieces']);
-    expect([ago(0, 1000), ago(0, 120e3), ago(0, 7200e3), ago(0, 3 * 86400e3)]).toEqual([
+        expect([ago(0, 1000), ago(0, 120e3), ago(0, 7200e3), ago(0, 3 * 86400e3)]).toEqual([
       'just now',
       '2 min ago',
       '2 h ago',

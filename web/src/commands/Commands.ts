@@ -15,6 +15,7 @@ import { ImportCommands } from './ImportCommands';
 import { asApiError, notify, notifyError } from './notices';
 import { PatternCommands } from './PatternCommands';
 import { TextureCommands } from './TextureCommands';
+import { t } from '../texts/language';
 
 export interface Surroundings {
   /** Changes the address; the route follows from it. */
@@ -152,7 +153,7 @@ export class Commands {
     if (job && commandsOf(job.state).pause) return this.act('pause');
     const { project } = this.state_;
     if (job?.state === 'failed' && project.value?.revision === job.project_revision) {
-      const text = 'Nothing has changed since this drape failed: it would fail again.';
+      const text = t.messages.wouldFail;
       notify(this.state_, { tone: 'info', text });
       this.state_.tab.value = 'drape';
       return Promise.resolve();
@@ -172,7 +173,7 @@ export class Commands {
     if (project.value?.revision !== before) return this.startDrape();
     const refused = this.state_.editing.problem.value ?? this.state_.dressing.placeProblem.value;
     if (refused) return notifyError(this.state_, refused);
-    notify(this.state_, { tone: 'info', text: 'Nothing is to be changed there: it is as it was draped.' });
+    notify(this.state_, { tone: 'info', text: t.messages.asDraped });
   }
 
   /** Goes where a person mends it; whether that is all that the fix is. */
@@ -208,7 +209,7 @@ export class Commands {
     const replaced = (old: GivenFile): boolean =>
       files.some((file) => file.name.toLowerCase() === old.name.toLowerCase());
     const all = [...(intake.value?.files ?? []).filter((old) => !replaced(old)), ...files];
-    intake.value = { files: all, plan: intake.value?.plan ?? null, busy: 'Reading the files', error: null };
+    intake.value = { files: all, plan: intake.value?.plan ?? null, busy: t.messages.reading, error: null };
     const plan = await this.planOf(all);
     if (intake.value?.files !== all) return;
     intake.value = { files: all, plan, busy: '', error: null };
@@ -271,7 +272,7 @@ export class Commands {
     intake.value = null;
     this.open({ name: 'project', id: project.id });
     if (thenDrape) await this.startDrape();
-    else notify(this.state_, { tone: 'good', text: `Project “${project.name}” is there. Space drapes it.` });
+    else notify(this.state_, { tone: 'good', text: t.messages.projectThere(project.name) });
     this.refresh_();
   }
 
@@ -281,11 +282,11 @@ export class Commands {
   ): Promise<Awaited<ReturnType<Api['createProject']>>> {
     const files: Record<string, string> = {};
     for (const { name, kind, file } of plan.needed) {
-      say(`Uploading ${name}`);
+      say(t.messages.uploading(name));
       const asset = await this.api_.uploadAsset(kind, file!.name, file!.blob);
       files[name] = asset.id;
     }
-    say('Making the project');
+    say(t.messages.makingProject);
     return this.api_.createProject(plan.document, files);
   }
 

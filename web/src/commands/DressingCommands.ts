@@ -15,9 +15,10 @@ import type {
 import type { ApiError } from '../api/http';
 import type { Project } from '../api/types';
 import { valueOf, loading, type AppState } from '../state/AppState';
-import { bearerOf, freeBodyId, pieceOf, withMeasure, withoutMeasure, withPreset, type LengthUnit, type Marks } from '../state/dressing';
-import { keep } from '../state/kept';
+import { bearerOf, freeBodyId, pieceOf, withMeasure, withoutMeasure, withPreset, type Marks } from '../state/dressing';
+import { chooseUnit, type LengthUnit } from '../texts/units';
 import { asApiError, notify, notifyError } from './notices';
+import { t } from '../texts/language';
 
 /** Does one change after those that are under way; the project that comes back is shown. */
 export type Queue = (ask: (project: Project) => Promise<Project>) => Promise<void>;
@@ -119,7 +120,7 @@ export class DressingCommands {
     return bodies.value?.[shown.value] ?? null;
   }
 
-  dress(wish: BodyWish, busy = 'Making the body', body = this.body?.id ?? 'body'): Promise<void> {
+  dress(wish: BodyWish, busy = t.messages.makingBody, body = this.body?.id ?? 'body'): Promise<void> {
     const { problem } = this.state_.dressing;
     return this.change(busy, problem, (project) => this.api_.dress(project, body, wish));
   }
@@ -129,7 +130,7 @@ export class DressingCommands {
     const { problem } = this.state_.dressing;
     const body = this.body;
     if (!body) return Promise.resolve();
-    return this.change(`Taking ${body.id} away`, problem, (project) => this.api_.undress(project, body.id));
+    return this.change(t.messages.takingAway(body.id), problem, (project) => this.api_.undress(project, body.id));
   }
 
   choosePreset(preset: string): Promise<void> {
@@ -154,9 +155,9 @@ export class DressingCommands {
   setSkinOffset(mm: number): Promise<void> {
     const body = this.body;
     const { stance } = this.state_.dressing;
-    if (body?.mannequin) return this.dress({ mannequin: body.mannequin, skin_offset_mm: mm }, 'Setting the distance');
+    if (body?.mannequin) return this.dress({ mannequin: body.mannequin, skin_offset_mm: mm }, t.messages.settingDistance);
     const asset = stance.value?.asset ?? this.assetOf(body);
-    return asset ? this.dress({ asset, skin_offset_mm: mm }, 'Setting the distance') : Promise.resolve();
+    return asset ? this.dress({ asset, skin_offset_mm: mm }, t.messages.settingDistance) : Promise.resolve();
   }
 
   private assetOf(body: ProjectBody | null): string | null {
@@ -167,14 +168,14 @@ export class DressingCommands {
   async takeFile(name: string, bytes: Blob, beside = false): Promise<void> {
     const { dressing } = this.state_;
     const others = (dressing.bodies.value ?? []).map((body) => body.id);
-    dressing.busy.value = `Uploading ${name}`;
+    dressing.busy.value = t.messages.uploading(name);
     dressing.problem.value = null;
     try {
       const asset = await this.api_.upload(name, bytes);
       const { stance } = await this.api_.stance(asset.id);
       dressing.stance.value = { file: name, asset: asset.id, stance };
       const id = beside ? freeBodyId(name, others) : undefined;
-      await this.dress({ asset: asset.id }, `Measuring ${name}`, id);
+      await this.dress({ asset: asset.id }, t.messages.measuring(name), id);
       if (beside && !dressing.problem.value) dressing.shown.value = others.length;
     } catch (error) {
       dressing.problem.value = asApiError(error);
@@ -191,7 +192,7 @@ export class DressingCommands {
     picking.value = null;
     const body = bearerOf(bodies.value ?? [], shown.value, landmark) ?? this.body;
     if (!body) return Promise.resolve();
-    return this.change('Moving the landmark', problem, (project) => this.api_.mark(project, body.id, landmark, place));
+    return this.change(t.messages.movingLandmark, problem, (project) => this.api_.mark(project, body.id, landmark, place));
   }
 
   /** Puts a landmark back to where the body has it by itself, or takes away one that was added. */
@@ -199,7 +200,7 @@ export class DressingCommands {
     const { problem } = this.state_.dressing;
     const body = this.body;
     if (!body) return Promise.resolve();
-    return this.change('Putting the landmark back', problem, (project) => this.api_.unmark(project, body.id, landmark));
+    return this.change(t.messages.puttingBack, problem, (project) => this.api_.unmark(project, body.id, landmark));
   }
 
   /** The next click on the body says where the landmark is; an empty name: never mind. */
@@ -214,7 +215,7 @@ export class DressingCommands {
   async arrange(): Promise<void> {
     const { arrangement, placeProblem } = this.state_.dressing;
     let changed = false;
-    await this.change('Arranging the pieces', placeProblem, async (project) => {
+    await this.change(t.messages.arranging, placeProblem, async (project) => {
       const { arrangement: made, ...row } = await this.api_.arrange(project);
       arrangement.value = made;
       this.reframe_ = true;
@@ -236,7 +237,7 @@ export class DressingCommands {
   place(wish: PieceWish): Promise<void> {
     const { placeProblem, partners } = this.state_.dressing;
     const whole = { ...wish, with_partner: partners.value };
-    return this.change('Placing the piece', placeProblem, (project) => this.api_.place(project, whole));
+    return this.change(t.messages.placing, placeProblem, (project) => this.api_.place(project, whole));
   }
 
   /** A piece let go over a side of a box: it comes there flat, as far away as it was told before. */
@@ -255,10 +256,9 @@ export class DressingCommands {
     marks.value = { ...marks.value, ...more };
   }
 
-  /** Lengths of bodies are told in it, on this visit and the next. */
+  /** Lengths are told in it, on this visit and the next. */
   takeUnit(unit: LengthUnit): void {
-    this.state_.dressing.unit.value = unit;
-    keep('unit', unit);
+    chooseUnit(unit);
   }
 
   light(measure: string | null): void {

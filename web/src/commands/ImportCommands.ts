@@ -8,6 +8,8 @@ import type { LoosePattern } from '../state/intake';
 import { sewnTogether, ticked, toWear } from '../state/seamView';
 import { stem } from '../state/words';
 import { asApiError, notify } from './notices';
+import { t } from '../texts/language';
+import { told } from '../texts/told';
 
 export type ImportApi = Pick<
   Api,
@@ -191,7 +193,7 @@ export class ImportCommands {
     const body = await this.bodyFile(draft);
     const document = documentOf(draft, report, body?.name ?? null);
     if (!document) return null;
-    this.say('Making the project');
+    this.say(t.messages.makingProject);
     const files: Record<string, string> = {};
     if (namesPattern(document)) files[report.file] = report.asset;
     if (body) files[body.name] = body.id;
@@ -200,12 +202,12 @@ export class ImportCommands {
 
   /** A garment that cannot be arranged yet is a project all the same; its pieces then stand in rows. */
   private async arranged(project: Project): Promise<Project> {
-    this.say('Standing the pieces around the body');
+    this.say(t.messages.standing);
     try {
       return await this.api_.arrange(project.id, project.revision);
     } catch (error) {
       const { detail, code, where } = asApiError(error);
-      notify(this.state_, { tone: 'info', text: `The pieces stand in rows: ${detail}`, code, where });
+      notify(this.state_, { tone: 'info', text: t.messages.inRows(told(code, detail).text), code, where });
       return project;
     }
   }
@@ -214,7 +216,7 @@ export class ImportCommands {
     const { body } = draft;
     if (body.kind === 'mannequin') return null;
     if (body.kind === 'asset') return body;
-    this.say(`Uploading ${body.file.name}`);
+    this.say(t.messages.uploading(body.file.name));
     return this.api_.uploadAsset('body', body.file.name, body.file.blob);
   }
 }

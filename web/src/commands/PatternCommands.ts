@@ -9,6 +9,7 @@ import { freePieceId, kRestingTool, type EditingState, type Part, type ToolFacts
 import { bentHandles, isStraight, nextEdge } from '../state/outline';
 import { emptyDraft, freeSeamId, ticked, toWear, withEdge, type Side } from '../state/seamView';
 import { asApiError, notify, notifyError } from './notices';
+import { t } from '../texts/language';
 
 export type PatternApi = Pick<Api, 'edit' | 'turn' | 'history' | 'proposals' | 'project' | 'fabrics'>;
 
@@ -109,7 +110,7 @@ export class PatternCommands {
     const before = point === 0 ? loop[(loop.indexOf(edge) + loop.length - 1) % loop.length]! : edge;
     const after = nextEdge(piece, before.id);
     if (!after || loop.length < 3) {
-      return notify(this.state_, { tone: 'info', text: 'An outline keeps at least two corners.' });
+      return notify(this.state_, { tone: 'info', text: t.messages.twoCorners });
     }
     return this.edit(
       { edit: 'join_edges', piece: part.piece, edge: before.id, next: after.id },
@@ -183,7 +184,7 @@ export class PatternCommands {
       return notifyError(this.state_, error);
     }
     if (error.status !== 412) return;
-    problem.value = new ApiError(412, error.code, 'Somebody else changed this project; here is the newest.', '');
+    problem.value = new ApiError(412, error.code, t.messages.changedElsewhere, '');
     try {
       this.took(await this.api_.project(project.id));
     } catch (failure) {

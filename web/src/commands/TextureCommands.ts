@@ -6,6 +6,7 @@ import type { Asset, Piece, Project, Texture } from '../api/types';
 import { loading, valueOf, type AppState } from '../state/AppState';
 import { assetsShown, kMostEdits, nameInProject, textureEdits, type TextureEdit } from '../state/texture';
 import { notify, notifyError } from './notices';
+import { t } from '../texts/language';
 
 export type TextureApi = Pick<Api, 'uploadAsset' | 'images' | 'edit' | 'assetUrl'>;
 
@@ -50,7 +51,7 @@ export class TextureCommands {
       const now = assetsShown(valueOf(pieces.value ?? loading)?.pieces ?? [], project.value);
       if (now.includes(asset)) pictures.value = new Map([...pictures.value, [asset, picture]]);
     } catch {
-      notify(this.state_, { tone: 'bad', text: 'A picture of this project cannot be shown.', where: asset });
+      notify(this.state_, { tone: 'bad', text: t.messages.pictureLost, where: asset });
     }
   }
 

@@ -12,26 +12,28 @@ import { cssColour } from '../state/patternGeometry';
 import { Refusal } from './BodyPanel';
 import { NumberField } from '../controls/NumberField';
 import { ProblemList } from './ProblemList';
+import { t } from '../texts/language';
+import { capital } from '../state/words';
 
 export function ArrangePanel() {
   const state = useAppState();
   const commands = useCommands();
   const { dressing } = state;
-  if (!state.projectId.value) return <p class="hint">Open a project to arrange its pieces.</p>;
+  if (!state.projectId.value) return <p class="hint">{t.arrange.openProject}</p>;
   const marks = dressing.marks.value;
   const busy = dressing.busy.value !== '';
   return (
     <>
       <div class="arrange-head">
         <button class="primary" disabled={busy} onClick={() => void commands.dressing.arrange()}>
-          Arrange the pieces
+          {t.arrange.arrange}
         </button>
         <button
           class="plain"
           aria-pressed={marks.boxes}
           onClick={() => commands.dressing.showMarks({ boxes: !marks.boxes })}
         >
-          Boxes
+          {t.arrange.boxes}
         </button>
       </div>
       <Refusal problem={dressing.placeProblem.value} />
@@ -46,16 +48,16 @@ function PieceList() {
   const pieces = valueOf(state.pieces.value ?? loading)?.pieces ?? [];
   if (pieces.length === 0) return null;
   return (
-    <section class="piece-places" aria-label="Places of the pieces">
-      <h3>Pieces</h3>
-      <p class="hint">Drag a piece onto a side of a box in 3D, or choose its place here.</p>
+    <section class="piece-places" aria-label={t.arrange.places}>
+      <h3>{t.common.pieces}</h3>
+      <p class="hint">{t.arrange.dragPiece}</p>
       <label class="check">
         <input
           type="checkbox"
           checked={state.dressing.partners.value}
           onChange={(event) => (state.dressing.partners.value = event.currentTarget.checked)}
         />
-        The mirror image goes along on the other side
+        {t.arrange.partner}
       </label>
       <ul>
         {pieces.map((piece) => (
@@ -79,7 +81,7 @@ function PieceRow({ piece }: { piece: Piece }) {
   const known = state.dressing.check.value !== null || state.dressing.startProblem.value !== null;
   const hand = state.dressing.check.value?.pieces.find((one) => one.id === piece.id)?.by_hand;
   const made = state.dressing.arrangement.value?.pieces.find((one) => one.id === piece.id)?.place;
-  const where = hand ? `by hand: ${partTitle(hand.part).toLowerCase()}, ${hand.side}` : made;
+  const where = hand ? t.arrange.byHand(`${t.names.parts[hand.part]}, ${t.names.sides[hand.side]}`) : made;
   return (
     <li ref={row} class={chosen ? 'chosen' : ''}>
       <button
@@ -123,7 +125,7 @@ function PlaceForm({ piece }: { piece: string }) {
   return (
     <div class="place-form">
       <label>
-        <span>Part</span>
+        <span>{t.arrange.part}</span>
         <select value={part} disabled={busy} onChange={(event) => put({ part: event.currentTarget.value as BodyPart })}>
           {kParts.map((one) => (
             <option key={one} value={one}>
@@ -132,7 +134,7 @@ function PlaceForm({ piece }: { piece: string }) {
           ))}
         </select>
       </label>
-      <span class="choice" role="radiogroup" aria-label="Side">
+      <span class="choice" role="radiogroup" aria-label={t.arrange.side}>
         {kSides.map((one) => (
           <button
             key={one}
@@ -141,15 +143,15 @@ function PlaceForm({ piece }: { piece: string }) {
             disabled={busy}
             onClick={() => put({ side: one })}
           >
-            {partTitle(one)}
+            {capital(t.names.sides[one])}
           </button>
         ))}
       </span>
       <div class="place-numbers">
-        <NumberField label="Across" value={at_mm[0]} unit="mm" digits={0} take={(x) => put({ at_mm: [x, at_mm[1]] })} />
-        <NumberField label="Up" value={at_mm[1]} unit="mm" digits={0} take={(y) => put({ at_mm: [at_mm[0], y] })} />
-        <NumberField label="Away" value={away_mm} unit="mm" digits={0} take={(away) => put({ away_mm: away })} />
-        <NumberField label="Turn" value={turn} unit="°" digits={0} take={(angle) => put({ turn: angle })} />
+        <NumberField label={t.arrange.across} value={at_mm[0]} length digits={0} take={(x) => put({ at_mm: [x, at_mm[1]] })} />
+        <NumberField label={t.arrange.up} value={at_mm[1]} length digits={0} take={(y) => put({ at_mm: [at_mm[0], y] })} />
+        <NumberField label={t.arrange.away} value={away_mm} length digits={0} take={(away) => put({ away_mm: away })} />
+        <NumberField label={t.arrange.turn} value={turn} unit="°" digits={0} take={(angle) => put({ turn: angle })} />
       </div>
       <Turns wish={wish} busy={busy} put={put} />
     </div>
@@ -173,17 +175,17 @@ function Turns({ wish: { wrapped, flipped }, busy, put }: TurnsProps) {
           disabled={busy}
           onChange={(event) => put({ wrapped: event.currentTarget.checked })}
         />
-        Rolled around the part
+        {t.arrange.rolled}
       </label>
       <div class="button-row">
         <button
           class="plain"
           aria-pressed={flipped}
           disabled={busy}
-          title="The other side of the cloth to the body"
+          title={t.arrange.overTip}
           onClick={() => put({ flipped: !flipped })}
         >
-          Turn the piece over
+          {t.arrange.turnOver}
         </button>
       </div>
     </>

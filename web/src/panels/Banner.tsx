@@ -2,6 +2,7 @@
 
 import { useAppState } from '../state/context';
 import { Icon } from '../controls/Icon';
+import { t } from '../texts/language';
 
 export function Banner({ retry }: { retry: () => void }) {
   const state = useAppState();
@@ -13,11 +14,11 @@ export function Banner({ retry }: { retry: () => void }) {
       <div class="banner" role="alert">
         <Icon name="alert" />
         <span>
-          <b>Connection lost.</b> What you see is the last that came.{' '}
-          {seconds > 0 ? `Trying again in ${seconds} s.` : 'Trying again…'}
+          <b>{t.frame.lost}</b> {t.frame.lostShows}{' '}
+          {seconds > 0 ? t.frame.tryingIn(seconds) : t.frame.trying}
         </span>
         <button class="plain" onClick={retry}>
-          Try now
+          {t.frame.tryNow}
         </button>
       </div>
     );
@@ -27,10 +28,10 @@ export function Banner({ retry }: { retry: () => void }) {
       <div class="banner" role="status">
         <Icon name="alert" />
         <span>
-          <b>The live view is interrupted.</b> It comes back by itself.
+          <b>{t.frame.liveLost}</b> {t.frame.comesBack}
         </span>
         <button class="plain" onClick={retry}>
-          Try now
+          {t.frame.tryNow}
         </button>
       </div>
     );

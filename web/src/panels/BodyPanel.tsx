@@ -8,24 +8,24 @@ import type { ApiError } from '../api/http';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import {
-  centimetres,
   isOwn,
-  lengthWords,
   measureTitle,
   nearestPreset,
   presetGroups,
   presetTitle,
-  shownLength,
   sliderWay,
-  type LengthUnit,
 } from '../state/dressing';
-import { sentence } from '../state/words';
+import type { Texts } from '../texts/en';
+import { plain } from '../texts/numbers';
+import { bodyDigits, bodySign, centimetres, lengthWords, shownLength } from '../texts/units';
 import { Icon } from '../controls/Icon';
 import { NumberField } from '../controls/NumberField';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 export function BodyPanel() {
   const { dressing, projectId } = useAppState();
-  if (!projectId.value) return <p class="hint">Open a project to dress somebody.</p>;
+  if (!projectId.value) return <p class="hint">{t.body.openProject}</p>;
   const bodies = dressing.bodies.value;
   if (!bodies) return <Waiting />;
   const body = bodies[dressing.shown.value] ?? null;
@@ -37,7 +37,7 @@ export function BodyPanel() {
       {body && dressing.marks.value.landmarks && <Landmarks body={body} />}
       {body?.stands && <Measures body={body} />}
       {body && !body.stands && (
-        <p class="hint">{body.file ?? body.id} is no standing person. Cloth falls on it all the same.</p>
+        <p class="hint">{t.body.notStanding(body.file ?? body.id)}</p>
       )}
       <OwnMesh body={body} />
     </>
@@ -49,7 +49,7 @@ function Waiting() {
   if (dressing.problem.value) return <Refusal problem={dressing.problem.value} />;
   return (
     <p class="busy" role="status">
-      <span class="spinner" aria-hidden="true" /> Measuring the body
+      <span class="spinner" aria-hidden="true" /> {t.body.measuring}
     </p>
   );
 }
@@ -60,7 +60,9 @@ export function Refusal({ problem }: { problem: ApiError | null }) {
     <div class="problem" role="alert">
       <Icon name="alert" />
       <div>
-        <p>{sentence(problem.detail)}</p>
+        <p>
+          <Told code={problem.code} detail={problem.detail} />
+        </p>
         {problem.where && <p class="where">{problem.where}</p>}
         <p class="code">{problem.code}</p>
       </div>
@@ -71,11 +73,11 @@ export function Refusal({ problem }: { problem: ApiError | null }) {
 /** The size that a body has, and what is said where it has none. */
 function sizeOf(body: ProjectBody | null | undefined): { preset: string; other: string } {
   const mannequin = body?.mannequin;
-  if (!mannequin) return { preset: '', other: body?.file ?? 'Nobody' };
+  if (!mannequin) return { preset: '', other: body?.file ?? t.body.nobody };
   const { preset = '' } = mannequin;
   // A size with a measure of its own is that size no more.
   const own = Object.keys(mannequin).some((key) => key.endsWith('_cm'));
-  return { preset: own ? '' : preset, other: own && preset ? `${presetTitle(preset)} with own measures` : 'Own measures' };
+  return { preset: own ? '' : preset, other: own && preset ? t.body.sizeWithOwn(presetTitle(preset)) : t.body.ownMeasures };
 }
 
 function Chooser({ bodies, body }: { bodies: ProjectBody[]; body: ProjectBody | null }) {
@@ -88,7 +90,7 @@ function Chooser({ bodies, body }: { bodies: ProjectBody[]; body: ProjectBody | 
     <div class="body-head">
       {bodies.length > 1 && (
         <select
-          aria-label="Body"
+          aria-label={t.common.body}
           value={String(dressing.shown.value)}
           onChange={(event) => (dressing.shown.value = Number(event.currentTarget.value))}
         >
@@ -99,7 +101,7 @@ function Chooser({ bodies, body }: { bodies: ProjectBody[]; body: ProjectBody | 
           ))}
         </select>
       )}
-      <label for={id}>Size</label>
+      <label for={id}>{t.common.size}</label>
       <select
         id={id}
         value={preset}
@@ -129,15 +131,15 @@ function Units() {
   const commands = useCommands();
   const { dressing } = useAppState();
   return (
-    <span class="choice" role="radiogroup" aria-label="Unit">
-      {(['cm', 'inch'] as LengthUnit[]).map((unit) => (
+    <span class="choice" role="radiogroup" aria-label={t.common.unit}>
+      {(['mm', 'inch'] as const).map((unit) => (
         <button
           key={unit}
           role="radio"
-          aria-checked={dressing.unit.value === unit}
+          aria-checked={(dressing.unit.value === 'inch') === (unit === 'inch')}
           onClick={() => commands.dressing.takeUnit(unit)}
         >
-          {unit === 'cm' ? 'cm' : 'in'}
+          {bodySign(unit)}
         </button>
       ))}
     </span>
@@ -161,15 +163,15 @@ function Marks({ body }: { body: ProjectBody }) {
           {measureTitle(kind)}
         </button>
       ))}
-      {mannequin && <span class="pose">Pose</span>}
+      {mannequin && <span class="pose">{t.body.pose}</span>}
       {mannequin && (
-        <span class="choice" role="radiogroup" aria-label="Pose">
+        <span class="choice" role="radiogroup" aria-label={t.body.pose}>
           {(['a', 't'] as const).map((pose) => (
             <button
               key={pose}
               role="radio"
               aria-checked={(mannequin.pose ?? 'a') === pose}
-              title={pose === 'a' ? 'Arms hang at an angle' : 'Arms stand out level'}
+              title={pose === 'a' ? t.body.poseA : t.body.poseT}
               onClick={() => void commands.dressing.setMannequin({ pose })}
             >
               {pose.toUpperCase()}
@@ -189,17 +191,17 @@ function Landmarks({ body }: { body: ProjectBody }) {
   const picking = dressing.picking.value;
   const own = body.landmarks.filter((one) => one.own);
   return (
-    <section class="landmarks" aria-label="Landmarks">
-      <p class="hint">Drag a point over the body to move it.</p>
+    <section class="landmarks" aria-label={t.body.landmarks}>
+      <p class="hint">{t.body.dragPoint}</p>
       {own.map((one) => (
         <p key={one.name} class="landmark">
           <span>{measureTitle(one.name)}</span>
           <button
             class="plain small"
-            aria-label={`Put ${one.name} back`}
+            aria-label={t.body.putBackWhat(measureTitle(one.name))}
             onClick={() => void commands.dressing.unmark(one.name)}
           >
-            Put back
+            {t.body.putBack}
           </button>
         </p>
       ))}
@@ -212,18 +214,18 @@ function Landmarks({ body }: { body: ProjectBody }) {
         }}
       >
         {picking ? (
-          <span role="status">Click the body where {picking} is.</span>
+          <span role="status">{t.body.clickBody(picking)}</span>
         ) : (
           <input
-            aria-label="Name of a new landmark"
-            placeholder="New landmark"
+            aria-label={t.body.nameNew}
+            placeholder={t.body.newLandmark}
             value={name.value}
             maxLength={60}
             onInput={(event) => (name.value = event.currentTarget.value)}
           />
         )}
         <button class="plain small" type="submit" disabled={!picking && name.value.trim() === ''}>
-          {picking ? 'Cancel' : 'Place'}
+          {picking ? t.common.cancel : t.body.place}
         </button>
       </form>
     </section>
@@ -236,7 +238,7 @@ function Measures({ body }: { body: ProjectBody }) {
   const { mannequin } = body;
   const base = mannequin && tables ? nearestPreset(tables.presets, mannequin, body.measures) : null;
   return (
-    <ul class="measures" aria-label="Measures">
+    <ul class="measures" aria-label={t.body.measures}>
       {body.measures.map((taken) => {
         const rule = tables?.measures.find((one) => one.name === taken.name);
         return mannequin && rule ? (
@@ -288,15 +290,15 @@ function MeasureSlider({ body, taken, rule, base }: SliderProps) {
       <NumberField
         label={measureTitle(taken.name)}
         value={shownLength(value, unit)}
-        unit={unit === 'cm' ? 'cm' : 'in'}
-        digits={unit === 'cm' ? 1 : 2}
+        unit={bodySign(unit)}
+        digits={bodyDigits(unit)}
         take={(shown) => set(centimetres(shown, unit))}
       />
       <button
         class="tool flat free"
         disabled={!own}
-        title={own ? 'As the size table and proportions have it' : 'Follows from the size table and proportions'}
-        aria-label={`${measureTitle(taken.name)}: follow from the table`}
+        title={own ? t.body.asTable : t.body.fromTable}
+        aria-label={t.body.follow(measureTitle(taken.name))}
         onClick={() => void commands.dressing.freeMeasure(taken.name)}
       >
         {own && <Icon name="cross" />}
@@ -309,7 +311,7 @@ function MeasureFigure({ taken }: { taken: TakenMeasure }) {
   const { dressing } = useAppState();
   return (
     <MeasureRow taken={taken} own={false}>
-      <span class="measure-at">at {lengthWords(taken.at_cm, dressing.unit.value)}</span>
+      <span class="measure-at">{t.body.at(lengthWords(taken.at_cm, dressing.unit.value))}</span>
       <b>{lengthWords(taken.cm, dressing.unit.value)}</b>
     </MeasureRow>
   );
@@ -342,18 +344,18 @@ function OwnMesh({ body }: { body: ProjectBody | null }) {
   const others = (dressing.bodies.value?.length ?? 0) > 1;
   return (
     <div class="own-mesh">
-      <MeshButton title="Own body…" label="Mesh of a body" beside={false} />
-      {body && <MeshButton title="Add object…" label="Mesh of an object" beside={true} />}
+      <MeshButton title={t.body.own} label={t.body.ownLabel} beside={false} />
+      {body && <MeshButton title={t.body.addObject} label={t.body.objectLabel} beside={true} />}
       {others && (
         <button class="plain danger" onClick={() => void commands.dressing.undress()}>
-          Remove {body?.id}
+          {t.body.removeBody(body?.id ?? '')}
         </button>
       )}
       {body && (
         <NumberField
-          label="Skin offset"
+          label={t.body.skinOffset}
           value={body.skin_offset_mm}
-          unit="mm"
+          length
           take={(mm) => void commands.dressing.setSkinOffset(mm)}
         />
       )}
@@ -388,27 +390,26 @@ function MeshButton({ title, label, beside }: { title: string; label: string; be
   );
 }
 
-const kUnitNames: [number, string][] = [
-  [1, 'metres'],
-  [0.1, 'decimetres'],
-  [0.01, 'centimetres'],
-  [0.001, 'millimetres'],
+const kUnitNames: [metres: number, name: keyof Texts['body']['metres']][] = [
+  [1, 'm'],
+  [0.1, 'dm'],
+  [0.01, 'cm'],
+  [0.001, 'mm'],
 ];
 
 function StanceWords() {
   const { dressing } = useAppState();
   const commands = useCommands();
   const { file, asset, stance } = dressing.stance.value!;
-  const turn = (degrees: number): void => void commands.dressing.dress({ asset, turn: degrees }, 'Turning the body');
-  if (!stance) return <p class="sure warn">{file} does not look like a standing person; it lies as its file says.</p>;
-  const unit = kUnitNames.find(([metres]) => metres === stance.unit_in_m)?.[1] ?? `${stance.unit_in_m} m`;
-  const turned = stance.turned_degrees === 0 ? '' : `, turned by ${stance.turned_degrees}°`;
+  const turn = (degrees: number): void => void commands.dressing.dress({ asset, turn: degrees }, t.body.turning);
+  if (!stance) return <p class="sure warn">{t.body.lies(file)}</p>;
+  const known = kUnitNames.find(([metres]) => metres === stance.unit_in_m)?.[1];
+  const unit = known ? t.body.metres[known] : `${plain(stance.unit_in_m)} m`;
   return (
     <p class="sure">
-      Read as {unit}, {stance.up} up{stance.upside_down ? ', upside down' : ''}
-      {turned}. Faces away?{' '}
+      {t.body.readAs(unit, stance.up, stance.upside_down, stance.turned_degrees)}{' '}
       <button class="link" onClick={() => turn(180)}>
-        Turn it round
+        {t.body.turnRound}
       </button>
     </p>
   );

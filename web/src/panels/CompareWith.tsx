@@ -5,6 +5,7 @@ import type { Job } from '../api/types';
 import { comparable } from '../state/comparison';
 import { useAppState } from '../state/context';
 import { ago } from '../state/words';
+import { t } from '../texts/language';
 
 /** Null while there is no other to set it beside. */
 export function CompareWith({ job }: { job: Job }) {
@@ -13,10 +14,10 @@ export function CompareWith({ job }: { job: Job }) {
   const others = comparable(state.allJobs.value, job);
   if (others.length === 0) return null;
   const nameOf = (other: Job): string =>
-    `${other.project_id === job.project_id ? '' : `${other.name}, `}rev ${other.project_revision} · ${ago(other.ended_ms || other.created_ms, state.now.value)}`;
+    `${other.project_id === job.project_id ? '' : `${other.name}, `}${t.frame.revision(other.project_revision)} · ${ago(other.ended_ms || other.created_ms, state.now.value)}`;
   return (
     <label class="select-field">
-      <span>Compare with</span>
+      <span>{t.report.compareWith}</span>
       <select
         value=""
         onChange={(event) => {
@@ -24,7 +25,7 @@ export function CompareWith({ job }: { job: Job }) {
           if (other) commands.open({ name: 'compare', left: other, right: job.id });
         }}
       >
-        <option value="">another drape…</option>
+        <option value="">{t.report.anotherDrape}</option>
         {others.map((other) => (
           <option key={other.id} value={other.id}>
             {nameOf(other)}

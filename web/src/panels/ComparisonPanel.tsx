@@ -3,6 +3,7 @@
 import { apart, comparedOf, comparisonRows } from '../state/comparison';
 import { useAppState } from '../state/context';
 import { millimetres } from '../state/words';
+import { t } from '../texts/language';
 
 /** Null until both are there. */
 export function ComparisonPanel() {
@@ -12,14 +13,14 @@ export function ComparisonPanel() {
   const rows = comparisonRows(left.report, right.report, dressing.unit.value);
   const moved = apart(left, right);
   return (
-    <section class="comparison" aria-label="Figures of both drapes">
+    <section class="comparison" aria-label={t.report.compared.both}>
       <table>
         <thead>
           <tr>
-            <th scope="col">Figure</th>
+            <th scope="col">{t.report.compared.figure}</th>
             {[left, right].map(({ job }) => (
               <th key={job.id} scope="col">
-                {job.name}, rev {job.project_revision}
+                {job.name}, {t.frame.revision(job.project_revision)}
               </th>
             ))}
           </tr>
@@ -36,8 +37,8 @@ export function ComparisonPanel() {
       </table>
       <p>
         {moved === null
-          ? 'The two have other meshes, so that no vertex of one can be looked up in the other.'
-          : `The same mesh: its vertices lie ${millimetres(moved)} apart (root mean square).`}
+          ? t.report.compared.otherMesh
+          : t.report.compared.sameMesh(millimetres(moved))}
       </p>
     </section>
   );

@@ -5,9 +5,10 @@ import { valueOf, type Sample } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { isActive } from '../state/jobs';
 import { cssColour } from '../state/patternGeometry';
-import { duration, speed } from '../state/words';
+import { count, duration, seconds, speed } from '../state/words';
 import { OutcomeList } from './OutcomeList';
 import { SolverField } from './SolverField';
+import { t } from '../texts/language';
 
 export function DrapeFigures() {
   const state = useAppState();
@@ -41,7 +42,7 @@ function Speed({ samples, job }: { samples: Sample[]; job: Job }) {
   if (samples.length < 2) {
     return isActive(job.state) ? (
       <div class="chart empty">
-        <p>The speed of the cloth is drawn here as it calms down.</p>
+        <p>{t.drape.speedHere}</p>
       </div>
     ) : null;
   }
@@ -53,14 +54,14 @@ function Speed({ samples, job }: { samples: Sample[]; job: Job }) {
   return (
     <figure class="chart">
       <figcaption>
-        <span>Speed of the cloth</span>
+        <span>{t.drape.speedOf}</span>
         <b>{speed(last.speed)}</b>
       </figcaption>
       <svg
         viewBox={`0 0 ${kWidth} ${kHeight}`}
         preserveAspectRatio="none"
         role="img"
-        aria-label={`Speed of the cloth, now ${speed(last.speed)}`}
+        aria-label={t.drape.speedNow(speed(last.speed))}
       >
         {[0.01, 0.1, 1].map((v) => (
           <path key={v} class="chart-grid" d={`M0 ${levelOf(v)}H${kWidth}`} />
@@ -73,9 +74,9 @@ function Speed({ samples, job }: { samples: Sample[]; job: Job }) {
         <path class="chart-line" d={line} />
       </svg>
       <div class="chart-axis">
-        <span>0 s</span>
-        <span class="chart-note">dashed: at rest</span>
-        <span>{end.toFixed(1)} s</span>
+        <span>{seconds(0, 0)}</span>
+        <span class="chart-note">{t.drape.dashed}</span>
+        <span>{seconds(end, 1)}</span>
       </div>
     </figure>
   );
@@ -87,9 +88,9 @@ function Facts({ job }: { job: Job }) {
   const started = job.started_ms ?? 0;
   const until = job.ended_ms || (isActive(job.state) ? state.now.value : started);
   const rows: [string, string][] = [
-    ['Drape', job.id],
-    ['Project revision', String(job.project_revision)],
-    ...(started ? [['Running time', duration(Math.max(0, until - started) / 1000)] as [string, string]] : []),
+    [t.drape.facts.drape, job.id],
+    [t.drape.facts.revision, String(job.project_revision)],
+    ...(started ? [[t.drape.facts.running, duration(Math.max(0, until - started) / 1000)] as [string, string]] : []),
     ...topology,
   ];
   return (
@@ -109,10 +110,10 @@ function useTopologyFacts(): [string, string][] {
   void state.progress.value; // the topology is not a signal; figures come with the first progress at the latest
   const topology = state.cloth.topology;
   if (!topology) return [];
-  const whole = new Intl.NumberFormat('en');
+  
   return [
-    ['Particles', whole.format(topology.vertexCount)],
-    ['Triangles', whole.format(topology.triangles.length / 3)],
+    [t.drape.facts.particles, count(topology.vertexCount)],
+    [t.drape.facts.triangles, count(topology.triangles.length / 3)],
   ];
 }
 
@@ -126,7 +127,7 @@ function Parts() {
     <div class="parts">
       {fabrics.map((fabric) => (
         <div key={fabric}>
-          <h3>{fabric || 'Fabric'}</h3>
+          <h3>{fabric || t.fabric.fabric}</h3>
           <ul>
             {pieces.pieces
               .filter((piece) => piece.fabric === fabric)

@@ -4,18 +4,19 @@ import { useEffect, useRef } from 'preact/hooks';
 import { Icon } from '../controls/Icon';
 import type { Download, ReportLine } from '../state/report';
 import { bytes } from '../state/words';
+import { t } from '../texts/language';
 
-const kStillNames: Record<string, string> = {
-  'three-quarter.png': 'Three-quarter',
-  'front.png': 'Front',
-  'back.png': 'Back',
-  'side.png': 'Side',
-};
+const stillNames = (): Record<string, string> => ({
+  'three-quarter.png': t.report.stills.threeQuarter,
+  'front.png': t.report.stills.front,
+  'back.png': t.report.stills.back,
+  'side.png': t.report.stills.side,
+});
 
 /** Of the pictures in a row, pixels; a click shows the whole one. */
 const kStillWidth = 320;
 
-export const stillName = (name: string): string => kStillNames[name] ?? name;
+export const stillName = (name: string): string => stillNames()[name] ?? name;
 
 interface StillsProps {
   names: readonly string[];
@@ -28,7 +29,7 @@ export function Stills({ names, urlOf, enlarge }: StillsProps) {
     <ul class="stills">
       {names.map((name) => (
         <li key={name}>
-          <button onClick={() => enlarge(name)} aria-label={`${stillName(name)} still, enlarge`}>
+          <button onClick={() => enlarge(name)} aria-label={t.report.enlarge(stillName(name))}>
             <img src={urlOf(name, kStillWidth)} alt="" decoding="async" />
             <span>{stillName(name)}</span>
           </button>
@@ -78,9 +79,9 @@ export function Enlarged({ url, name, close }: { url: string; name: string; clos
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
   return (
-    <dialog class="enlarged" ref={dialog} onClose={close} onClick={close} aria-label={`${name} still`}>
-      <img src={url} alt={`${name} view of the draped garment`} />
-      <button class="tool" aria-label="Close" onClick={close}>
+    <dialog class="enlarged" ref={dialog} onClose={close} onClick={close} aria-label={t.report.still(name)}>
+      <img src={url} alt={t.report.viewOf(name)} />
+      <button class="tool" aria-label={t.common.close} onClick={close}>
         <Icon name="cross" />
       </button>
     </dialog>

@@ -4,6 +4,7 @@ import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { useCommands } from '../commands/context';
 import { Icon } from '../controls/Icon';
+import { t } from '../texts/language';
 
 const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
 
@@ -38,8 +39,8 @@ export function DropTarget() {
     <div class="drop-veil" aria-hidden="true">
       <div>
         <Icon name="file" />
-        <b>Drop to make a project</b>
-        <small>a pattern (DXF, GarmentCode), or project.json with its files; a picture alone goes on the cloth</small>
+        <b>{t.intake.dropToMake}</b>
+        <small>{t.intake.dropWhat}</small>
       </div>
     </div>
   ) : null;

@@ -5,6 +5,7 @@ import { acceptOf, kPictureEndings } from '../api/formats';
 import { useCommands } from '../commands/context';
 import { Icon } from '../controls/Icon';
 import { useAppState } from '../state/context';
+import { t } from '../texts/language';
 
 export function Dropzone({ title, focused = false }: { title: string; focused?: boolean }) {
   const { dressing } = useAppState();
@@ -17,7 +18,7 @@ export function Dropzone({ title, focused = false }: { title: string; focused?: 
       <button class="dropzone" autofocus={focused} onClick={() => input.current?.click()}>
         <Icon name="file" />
         <b>{title}</b>
-        <small>A pattern (DXF, GarmentCode JSON), a body (OBJ, glTF, …), or a project.json with its files</small>
+        <small>{t.intake.takes}</small>
       </button>
       <input
         ref={input}

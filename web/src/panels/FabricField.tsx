@@ -7,6 +7,7 @@ import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { fabricsFound, figuresOf, handOf, makeOf, originOf, stiffness, type Kind } from '../state/fabrics';
 import { FabricSwatch } from './FabricSwatch';
+import { t } from '../texts/language';
 
 export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
   const { pattern } = useCommands();
@@ -15,22 +16,22 @@ export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
   useEffect(() => void pattern.loadFabrics(), [pattern]);
   const names = [...new Set(pieces.map((piece) => piece.fabric))];
   const known = names.length === 1 ? fabrics.value.find((fabric) => fabric.name === names[0]) : undefined;
-  const whose = pieces.length === 1 ? 'Fabric' : 'Fabric of all pieces';
+  const whose = pieces.length === 1 ? t.fabric.fabric : t.fabric.fabricOfAll;
   const choose = (fabric: string): void => {
     isOpen.value = false;
     const edits = cutOf(pieces, fabric);
     if (edits.length > 0) void pattern.edit(...edits);
   };
   return (
-    <section class="fabric" aria-label={`${whose}, cut of`}>
+    <section class="fabric" aria-label={t.fabric.cutOf(whose)}>
       <h3>
         {whose}
-        {names.length > 1 && <span class="head-note">pieces differ</span>}
+        {names.length > 1 && <span class="head-note">{t.fabric.differ}</span>}
       </h3>
       <div class="fabric-now">
-        {known ? <Card fabric={known} /> : <p class="fabric-own">{names.join(', ') || 'None'}</p>}
+        {known ? <Card fabric={known} /> : <p class="fabric-own">{names.join(', ') || t.common.nothing}</p>}
         <button class="plain" aria-expanded={isOpen.value} onClick={() => (isOpen.value = !isOpen.value)}>
-          {isOpen.value ? 'Keep it' : 'Change'}
+          {isOpen.value ? t.fabric.keep : t.fabric.change}
         </button>
       </div>
       {isOpen.value && <Library fabrics={fabrics.value} now={known?.name ?? ''} choose={choose} />}
@@ -70,7 +71,7 @@ const Hand = ({ fabric }: { fabric: Fabric }) => (
 function Figures({ fabric }: { fabric: Fabric }) {
   return (
     <details class="fabric-figures">
-      <summary>Figures, warp / weft</summary>
+      <summary>{t.fabric.figures}</summary>
       <dl class="facts">
         {figuresOf(fabric).map(({ label, value }) => (
           <div key={label}>
@@ -80,19 +81,14 @@ function Figures({ fabric }: { fabric: Fabric }) {
         ))}
       </dl>
       <p class="selection-facts">
-        {fabric.use && `For ${fabric.use}. `}
+        {fabric.use && `${t.fabric.goodFor(fabric.use)} `}
         {originOf(fabric)}
       </p>
     </details>
   );
 }
 
-const kKinds: { kind: Kind; title: string }[] = [
-  { kind: 'all', title: 'All' },
-  { kind: 'woven', title: 'Woven' },
-  { kind: 'knit', title: 'Knit' },
-  { kind: 'other', title: 'Other' },
-];
+const kKinds: readonly Kind[] = ['all', 'woven', 'knit', 'other'];
 
 interface LibraryProps {
   fabrics: readonly Fabric[];
@@ -110,24 +106,24 @@ function Library({ fabrics, now, choose }: LibraryProps) {
     <div class="fabric-library">
       <div class="fabric-find">
         <label class="visually-hidden" for={id}>
-          Find a fabric
+          {t.fabric.find}
         </label>
         <input
           id={id}
           type="search"
-          placeholder="silk, twill, soft, shirts…"
+          placeholder={t.fabric.findWhat}
           value={text.value}
           onInput={(event) => (text.value = event.currentTarget.value)}
         />
-        <div class="choice" role="radiogroup" aria-label="Kind of fabric">
+        <div class="choice" role="radiogroup" aria-label={t.fabric.kind}>
           {kKinds.map((one) => (
-            <button key={one.kind} role="radio" aria-checked={kind.value === one.kind} onClick={() => (kind.value = one.kind)}>
-              {one.title}
+            <button key={one} role="radio" aria-checked={kind.value === one} onClick={() => (kind.value = one)}>
+              {t.fabric.kinds[one]}
             </button>
           ))}
         </div>
       </div>
-      {found.length === 0 && <p class="hint">No fabric is called so.</p>}
+      {found.length === 0 && <p class="hint">{t.fabric.noneSo}</p>}
       <ul>
         {found.map((fabric) => (
           <li key={fabric.name}>

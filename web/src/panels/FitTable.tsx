@@ -3,6 +3,7 @@
 import type { Report } from '../api/types';
 import { useAppState } from '../state/context';
 import { fitRows, type FitRow } from '../state/fit';
+import { t } from '../texts/language';
 
 /** Null where nothing goes around anybody. */
 export function FitTable({ report }: { report: Pick<Report, 'fit'> }) {
@@ -11,14 +12,14 @@ export function FitTable({ report }: { report: Pick<Report, 'fit'> }) {
   if (rows.length === 0) return null;
   return (
     <>
-      <h3>Fit</h3>
+      <h3>{t.report.fit.title}</h3>
       <table class="fit">
         <thead>
           <tr>
-            <th scope="col">Girth</th>
-            <th scope="col">Body</th>
-            <th scope="col">Garment</th>
-            <th scope="col">Ease</th>
+            <th scope="col">{t.report.fit.girth}</th>
+            <th scope="col">{t.report.fit.body}</th>
+            <th scope="col">{t.report.fit.garment}</th>
+            <th scope="col">{t.report.fit.ease}</th>
           </tr>
         </thead>
         <tbody>
@@ -36,7 +37,7 @@ function Row({ row }: { row: FitRow }) {
     <tr class={`verdict-${row.verdict}`} title={row.hint}>
       <th scope="row">
         {row.title}
-        {row.word !== 'fits' && <small>{row.word}</small>}
+        {row.fit !== 'fits' && <small>{row.word}</small>}
       </th>
       <td>{row.body}</td>
       <td>{row.garment}</td>

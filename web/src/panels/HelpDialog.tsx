@@ -1,7 +1,8 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { bindings } from '../tools/keys';
+import { bindings, shownKey } from '../tools/keys';
 import { useAppState } from '../state/context';
 import { Icon } from '../controls/Icon';
+import { t } from '../texts/language';
 
 /** The keys, from the table that handles them. */
 export function HelpDialog() {
@@ -9,14 +10,14 @@ export function HelpDialog() {
   return state.helpShown.value ? <Dialog close={() => (state.helpShown.value = false)} /> : null;
 }
 
-const kMouse: [string, string][] = [
-  ['Drag', 'Turn the view'],
-  ['Right drag', 'Move the view'],
-  ['Wheel', 'Nearer, further'],
-  ['Click', 'Select a piece or seam'],
-  ['Middle drag', 'Move the pattern'],
-  ['Double click', 'New point on an edge (Z)'],
-  ['Shift drag', 'In steps of 45°'],
+const mouse = (): [string, string][] => [
+  [t.keys.mouse.drag, t.keys.mouse.dragDoes],
+  [t.keys.mouse.right, t.keys.mouse.rightDoes],
+  [t.keys.mouse.wheel, t.keys.mouse.wheelDoes],
+  [t.keys.mouse.click, t.keys.mouse.clickDoes],
+  [t.keys.mouse.middle, t.keys.mouse.middleDoes],
+  [t.keys.mouse.double, t.keys.mouse.doubleDoes],
+  [t.keys.mouse.shift, t.keys.mouse.shiftDoes],
 ];
 
 function Dialog({ close }: { close: () => void }) {
@@ -26,33 +27,33 @@ function Dialog({ close }: { close: () => void }) {
   return (
     <dialog class="sheet help" ref={dialog} onClose={close} aria-labelledby="help-title">
       <header>
-        <h2 id="help-title">Keys and mouse</h2>
-        <button class="tool flat" aria-label="Close" onClick={() => dialog.current?.close()}>
+        <h2 id="help-title">{t.keys.title}</h2>
+        <button class="tool flat" aria-label={t.common.close} onClick={() => dialog.current?.close()}>
           <Icon name="cross" />
         </button>
       </header>
       <div class="sheet-body keys">
         {groups.map((group) => (
           <section key={group}>
-            <h3>{group}</h3>
+            <h3>{t.keys.groups[group]}</h3>
             <dl>
               {bindings
                 .filter((binding) => binding.group === group)
                 .map((binding) => (
                   <div key={binding.shown}>
                     <dt>
-                      <kbd>{binding.shown}</kbd>
+                      <kbd>{shownKey(binding)}</kbd>
                     </dt>
-                    <dd>{binding.title}</dd>
+                    <dd>{binding.title()}</dd>
                   </div>
                 ))}
             </dl>
           </section>
         ))}
         <section>
-          <h3>Mouse</h3>
+          <h3>{t.keys.mouseTitle}</h3>
           <dl>
-            {kMouse.map(([press, title]) => (
+            {mouse().map(([press, title]) => (
               <div key={press}>
                 <dt>
                   <kbd>{press}</kbd>

@@ -3,6 +3,7 @@
 import { useAppState } from '../state/context';
 import { stepText } from '../state/editing';
 import { ago } from '../state/words';
+import { t } from '../texts/language';
 
 const kShown = 30;
 
@@ -12,12 +13,12 @@ export function HistoryList() {
   if (steps.length === 0) return null;
   return (
     <details class="history">
-      <summary>History</summary>
+      <summary>{t.pattern.history}</summary>
       <ol>
         {steps.slice(0, kShown).map((step) => (
           <li key={step.number} class={step.undone ? 'undone' : ''}>
             <span>{stepText(step.edits)}</span>
-            <small>{step.undone ? 'undone' : ago(step.created_ms, state.now.value)}</small>
+            <small>{step.undone ? t.pattern.undone : ago(step.created_ms, state.now.value)}</small>
           </li>
         ))}
       </ol>

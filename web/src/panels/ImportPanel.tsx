@@ -8,9 +8,12 @@ import type { Import, Unit } from '../api/types';
 import { useAppState } from '../state/context';
 import { presetTitle } from '../state/dressing';
 import { seamsInReach, sureness, type BodyChoice, type ImportDraft, type PreviewProps } from '../state/importDraft';
-import { count, counted, percent, sentence } from '../state/words';
+import { percent, sentence } from '../state/words';
+import { patternFigure, patternLength } from '../texts/units';
 import { ImportReport } from './ImportReport';
 import { ImportSeams } from './ImportSeams';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 type Page = 'pieces' | 'seams' | 'report';
 
@@ -26,7 +29,8 @@ export function ImportPanel({ draft, Preview }: { draft: ImportDraft } & Preview
       <div class="import-wait" role="status">
         <span class="spinner" aria-hidden="true" />
         <p>
-          Reading <b>{draft.source.file.name}</b>: outlines, layers, notches, grain, unit, seams…
+          {t.imports.reading} <b>{draft.source.file.name}</b>
+          {t.imports.readingWhat}
         </p>
       </div>
     );
@@ -36,7 +40,9 @@ export function ImportPanel({ draft, Preview }: { draft: ImportDraft } & Preview
     return (
       <div class="problem" role="alert">
         <div>
-          <p>{sentence(detail)}</p>
+          <p>
+            <Told code={code} detail={detail} />
+          </p>
           <p class="code">{[code, where].filter(Boolean).join(' · ')}</p>
           {(draft.unit || draft.size) && <Again />}
         </div>
@@ -50,7 +56,7 @@ function Again() {
   const { imports } = useCommands();
   return (
     <button class="link" onClick={() => void imports.takeUnit('').then(() => imports.takeSize(''))}>
-      Read it as the file says
+      {t.imports.asFileSays}
     </button>
   );
 }
@@ -61,12 +67,12 @@ function Read({ draft, report, Preview }: { draft: ImportDraft; report: Import }
   const seams = seamsInReach(report, draft.left);
   const chosen = seams.filter((seam) => draft.chosen.has(seam.id)).length;
   const pages: { page: Page; title: string }[] = [
-    { page: 'pieces', title: `Pieces ${report.pieces.length - draft.left.size}` },
-    { page: 'seams', title: `Seams ${chosen} of ${seams.length}` },
+    { page: 'pieces', title: t.imports.pieceTab(report.pieces.length - draft.left.size) },
+    { page: 'seams', title: t.imports.seamTab(chosen, seams.length) },
     {
       page: 'report',
       title:
-        report.report.warnings.length > 0 ? `Report, ${counted(report.report.warnings.length, 'warning')}` : 'Report',
+        report.report.warnings.length > 0 ? t.imports.reportWarnings(report.report.warnings.length) : t.imports.reportTab,
     },
   ];
   const turn = (event: KeyboardEvent): void => {
@@ -79,7 +85,7 @@ function Read({ draft, report, Preview }: { draft: ImportDraft; report: Import }
     <div class="import">
       <Preview draft={draft} report={report} lit={lit.value} onLight={(seam) => (lit.value = seam)} />
       <div class="import-side">
-        <div class="tabs" role="tablist" aria-label="What the file holds" onKeyDown={turn}>
+        <div class="tabs" role="tablist" aria-label={t.imports.holds} onKeyDown={turn}>
           {pages.map((one) => (
             <button
               key={one.page}
@@ -122,10 +128,10 @@ function UnitAndSize({ draft, report }: { draft: ImportDraft; report: Import }) 
   const { unit } = report;
   const fixed = draft.source.kind === 'specification';
   return (
-    <section class="import-unit" aria-label="Unit and size">
+    <section class="import-unit" aria-label={t.imports.unitAndSize}>
       <div class="unit-row">
-        <h3>Unit</h3>
-        <div class="choice" role="radiogroup" aria-label="Unit">
+        <h3>{t.common.unit}</h3>
+        <div class="choice" role="radiogroup" aria-label={t.common.unit}>
           {kUnits.map((one) => (
             <button
               key={one.unit}
@@ -139,11 +145,11 @@ function UnitAndSize({ draft, report }: { draft: ImportDraft; report: Import }) 
           ))}
         </div>
         <span class={`sure${unit.confidence < 0.6 ? ' warn' : ''}`}>
-          {draft.unit ? 'as you say' : `${sureness(unit.confidence)}, ${percent(unit.confidence, 0)}`}
+          {draft.unit ? t.imports.asYouSay : `${sureness(unit.confidence)}, ${percent(unit.confidence, 0)}`}
         </span>
         {draft.unit && (
           <button class="link" onClick={() => void imports.takeUnit('')}>
-            back to the guess
+            {t.imports.backToGuess}
           </button>
         )}
       </div>
@@ -154,12 +160,12 @@ function UnitAndSize({ draft, report }: { draft: ImportDraft; report: Import }) 
       </ul>
       {report.sizes.length > 1 && (
         <label class="select-field">
-          <span>Size</span>
+          <span>{t.common.size}</span>
           <select value={report.size} onChange={(event) => void imports.takeSize(event.currentTarget.value)}>
             {report.sizes.map((size) => (
               <option key={size} value={size}>
                 {size}
-                {size === report.sample_size ? ' (sample size)' : ''}
+                {size === report.sample_size ? ` ${t.imports.sampleSize}` : ''}
               </option>
             ))}
           </select>
@@ -172,7 +178,7 @@ function UnitAndSize({ draft, report }: { draft: ImportDraft; report: Import }) 
 function PieceRows({ draft, report }: { draft: ImportDraft; report: Import }) {
   const { imports } = useCommands();
   return (
-    <ul class="import-pieces" aria-label="Pieces">
+    <ul class="import-pieces" aria-label={t.common.pieces}>
       {report.pieces.map((piece, i) => (
         <li key={`${piece.name} ${i}`} class={piece.fault ? 'faulty' : ''}>
           <label>
@@ -185,14 +191,14 @@ function PieceRows({ draft, report }: { draft: ImportDraft; report: Import }) {
             <b>{piece.name}</b>
             {piece.width_mm !== undefined && piece.height_mm !== undefined && (
               <span>
-                {count(piece.width_mm)} × {count(piece.height_mm)} mm
+                {patternFigure(piece.width_mm, 0)} × {patternLength(piece.height_mm, 0)}
               </span>
             )}
             <small>{remarks(piece).join(' · ')}</small>
           </label>
           {piece.fault && (
             <p class="hint bad">
-              {sentence(piece.fault.message)} <span class="code">{piece.fault.code}</span>
+              <Told code={piece.fault.code} detail={piece.fault.message} /> <span class="code">{piece.fault.code}</span>
             </p>
           )}
         </li>
@@ -203,11 +209,11 @@ function PieceRows({ draft, report }: { draft: ImportDraft; report: Import }) {
 
 function remarks(piece: Import['pieces'][number]): string[] {
   const said: string[] = [];
-  if (piece.quantity > 1) said.push(`${piece.quantity} ×${piece.mirrored > 0 ? `, ${piece.mirrored} mirrored` : ''}`);
-  if (piece.unfolded) said.push('unfolded');
-  if (piece.outline === 'cut') said.push('along the cut line');
-  if (piece.edges) said.push(counted(piece.edges, 'edge'));
-  if (piece.notches) said.push(counted(piece.notches, 'notch', 'notches'));
+  if (piece.quantity > 1) said.push(`${piece.quantity} ×${piece.mirrored > 0 ? t.imports.mirrored(piece.mirrored) : ''}`);
+  if (piece.unfolded) said.push(t.imports.unfolded);
+  if (piece.outline === 'cut') said.push(t.imports.cutLine);
+  if (piece.edges) said.push(t.imports.edgeCount(piece.edges));
+  if (piece.notches) said.push(t.imports.notchCount(piece.notches));
   if (piece.material) said.push(piece.material);
   return said;
 }
@@ -232,7 +238,7 @@ function NameAndBody({ draft }: { draft: ImportDraft }) {
   return (
     <div class="import-make">
       <label class="text-field">
-        <span>Name</span>
+        <span>{t.common.name}</span>
         <input
           value={draft.name}
           maxLength={200}
@@ -241,16 +247,16 @@ function NameAndBody({ draft }: { draft: ImportDraft }) {
         />
       </label>
       <label class="select-field">
-        <span>Body</span>
+        <span>{t.common.body}</span>
         <select value={bodyKey(draft.body)} disabled={busy} onChange={(event) => take(event.currentTarget.value)}>
-          <option value="mannequin ">Mannequin, no size</option>
+          <option value="mannequin ">{t.imports.noSize}</option>
           {draft.presets.map((preset) => (
             <option key={preset.id} value={`mannequin ${preset.id}`}>
-              Mannequin {presetTitle(preset.id)}
-              {isSuggested && bodyKey(draft.body) === `mannequin ${preset.id}` ? ', as the file says' : ''}
+              {t.imports.mannequin(presetTitle(preset.id))}
+              {isSuggested && bodyKey(draft.body) === `mannequin ${preset.id}` ? t.imports.asFile : ''}
             </option>
           ))}
-          {files.length > 0 && <option value="file">{files[files.length - 1]!.name} (dropped)</option>}
+          {files.length > 0 && <option value="file">{t.imports.dropped(files[files.length - 1]!.name)}</option>}
           {draft.bodies.map((body) => (
             <option key={body.id} value={`asset ${body.id}`}>
               {body.name}

@@ -11,8 +11,10 @@ import {
   type Accounts,
   type ReportFilter,
 } from '../state/importDraft';
-import { count, counted, sentence } from '../state/words';
+import { count, sentence } from '../state/words';
+import { patternFigure, patternLength } from '../texts/units';
 import { Icon } from '../controls/Icon';
+import { t } from '../texts/language';
 
 /** Rows drawn at once: a filter finds the others. */
 const kMostRows = 200;
@@ -24,22 +26,22 @@ export function ImportReport({ report }: { report: Import }) {
   const warnings = warningsShown(report.report.warnings, filter.value);
   const set = (part: Partial<ReportFilter>): void => void (filter.value = { ...filter.value, ...part });
   return (
-    <section class="import-report" aria-label="Import report">
+    <section class="import-report" aria-label={t.imports.reportTitle}>
       <p class="accounts">
         {accounts.sum}.{' '}
         {accounts.whole ? (
-          <span class="good">Every one is accounted for.</span>
+          <span class="good">{t.imports.accounted}</span>
         ) : (
-          <span class="warn">The parts do not sum to the file.</span>
+          <span class="warn">{t.imports.unaccounted}</span>
         )}
       </p>
       <Fates accounts={accounts} chosen={filter.value.fate} choose={(fate) => set({ fate })} />
       <Filter report={report} filter={filter.value} set={set} />
       <Warnings warnings={warnings} />
       <Entities entities={entities} />
-      {entities.length === 0 && warnings.length === 0 && <p class="hint">Nothing of that kind.</p>}
+      {entities.length === 0 && warnings.length === 0 && <p class="hint">{t.imports.noneOfKind}</p>}
       {entities.length > kMostRows && (
-        <p class="hint">{counted(entities.length - kMostRows, 'more group')} match; search for them.</p>
+        <p class="hint">{t.imports.moreGroups(entities.length - kMostRows)}</p>
       )}
     </section>
   );
@@ -54,7 +56,7 @@ interface FatesProps {
 /** How many entities had which fate; a click shows those alone. */
 function Fates({ accounts, chosen, choose }: FatesProps) {
   return (
-    <div class="fates" role="radiogroup" aria-label="Show">
+    <div class="fates" role="radiogroup" aria-label={t.imports.show}>
       {[{ fate: '' as const, count: accounts.entities }, ...accounts.shares].map((share) => (
         <button
           key={share.fate}
@@ -63,7 +65,7 @@ function Fates({ accounts, chosen, choose }: FatesProps) {
           aria-checked={chosen === share.fate}
           onClick={() => choose(share.fate)}
         >
-          <b>{count(share.count)}</b> {share.fate || 'all'}
+          <b>{count(share.count)}</b> {t.imports.fates[share.fate || 'all']}
         </button>
       ))}
     </div>
@@ -81,18 +83,18 @@ function Filter({ report, filter, set }: FilterProps) {
   return (
     <div class="report-filter">
       <label class="text-field">
-        <span class="visually-hidden">Search in the report</span>
+        <span class="visually-hidden">{t.imports.search}</span>
         <input
           type="search"
-          placeholder="Search layer, kind, reason…"
+          placeholder={t.imports.searchWhat}
           value={filter.text}
           onInput={(event) => set({ text: event.currentTarget.value })}
         />
       </label>
       <label class="select-field">
-        <span class="visually-hidden">Piece</span>
+        <span class="visually-hidden">{t.common.piece}</span>
         <select value={filter.piece} onChange={(event) => set({ piece: event.currentTarget.value })}>
-          <option value="">All pieces</option>
+          <option value="">{t.imports.allPieces}</option>
           {report.pieces.map((piece) => (
             <option key={piece.name} value={piece.name}>
               {piece.name}
@@ -101,7 +103,7 @@ function Filter({ report, filter, set }: FilterProps) {
         </select>
       </label>
       <button class="link" onClick={() => imports.saveReport()}>
-        Save as JSON
+        {t.imports.saveJson}
       </button>
     </div>
   );
@@ -113,7 +115,7 @@ const said = (parts: readonly (string | false | null)[]): string => parts.filter
 function Warnings({ warnings }: { warnings: readonly ImportWarning[] }) {
   if (warnings.length === 0) return null;
   return (
-    <ul class="warnings" aria-label="Warnings">
+    <ul class="warnings" aria-label={t.imports.warnings}>
       {warnings.slice(0, kMostRows).map((one, i) => (
         <li key={i}>
           <Icon name="alert" />
@@ -121,10 +123,10 @@ function Warnings({ warnings }: { warnings: readonly ImportWarning[] }) {
             <p>{sentence(one.text)}</p>
             <small>
               {said([
-                one.piece && `piece ${one.piece}`,
-                one.at && `at ${one.at[0].toFixed(0)}, ${one.at[1].toFixed(0)} mm`,
-                one.line > 0 && `line ${one.line}`,
-                one.count > 1 && `${count(one.count)} times`,
+                one.piece && t.imports.pieceOf(one.piece),
+                one.at && t.imports.placeAt(`${patternFigure(one.at[0], 0)}, ${patternLength(one.at[1], 0)}`),
+                one.line > 0 && t.imports.lineAt(one.line),
+                one.count > 1 && t.imports.times(count(one.count)),
               ])}
             </small>
           </div>
@@ -136,21 +138,21 @@ function Warnings({ warnings }: { warnings: readonly ImportWarning[] }) {
 
 function Entities({ entities }: { entities: readonly ImportedEntity[] }) {
   return (
-    <ul class="entities" aria-label="Entities">
+    <ul class="entities" aria-label={t.imports.entities}>
       {entities.slice(0, kMostRows).map((one, i) => (
         <li key={i} class={`fate-${one.fate}`}>
-          <em>{one.fate}</em>
+          <em>{t.imports.fates[one.fate]}</em>
           <div>
             <p>
               <b>
                 {one.count > 1 && `${count(one.count)} × `}
                 {one.type}
               </b>{' '}
-              {one.layer && `on layer ${one.layer}`}
+              {one.layer && t.imports.onLayer(one.layer)}
             </p>
             {one.reason && <p>{sentence(one.reason)}</p>}
             <small>
-              {said([one.piece && `piece ${one.piece}`, one.block && `block ${one.block}`, linesText(one.lines)])}
+              {said([one.piece && t.imports.pieceOf(one.piece), one.block && t.imports.blockOf(one.block), linesText(one.lines)])}
             </small>
           </div>
         </li>

@@ -6,6 +6,7 @@ import { piecesDrawn, seamsInReach, type ImportDraft } from '../state/importDraf
 import { kSure, seamColour } from '../state/seamView';
 import { percent } from '../state/words';
 import { ProposalRow } from './ProposalList';
+import { t } from '../texts/language';
 
 export interface ImportSeamsProps {
   draft: ImportDraft;
@@ -20,29 +21,28 @@ export function ImportSeams({ draft, report, onLight }: ImportSeamsProps) {
   if (seams.length === 0) {
     return (
       <p class="hint">
-        The file names no seams, and none could be found. They can be sewn by hand on the pattern, with <kbd>N</kbd>.
+        {t.imports.noSeams} <kbd>N</kbd>.
       </p>
     );
   }
   return (
-    <section class="proposals" aria-label="Proposed seams">
+    <section class="proposals" aria-label={t.imports.proposed}>
       {draft.source.kind === 'dxf' ? (
         <p class="hint">
-          A DXF says what is cut, not how it is sewn. These seams follow from lengths, notches, shapes and names; those
-          of {percent(kSure, 0)} and above are ticked, and likely ones whose edges nothing surer wants, or whose pieces nothing surer holds on. Where two want the same edge, one takes the place of the other.
+          {t.imports.dxfSeams(percent(kSure, 0))}
         </p>
       ) : (
-        <p class="hint">The specification says how its pieces are stitched.</p>
+        <p class="hint">{t.imports.specified}</p>
       )}
       <div class="button-row">
         <button class="plain" onClick={() => imports.takeSurest(kSure)}>
-          The sure ones
+          {t.imports.sureOnes}
         </button>
         <button class="plain" onClick={() => imports.takeSurest(0)}>
-          All
+          {t.common.all}
         </button>
         <button class="plain" onClick={() => imports.takeSurest(2)}>
-          None
+          {t.common.none}
         </button>
       </div>
       <ul>

@@ -10,14 +10,9 @@ import { Results } from './Results';
 import type { MovieMaking } from './Movies';
 import { PatternPanel } from './PatternPanel';
 import type { PicturesProps } from './Rail';
+import { t } from '../texts/language';
 
-const kTabs: { tab: Tab; title: string }[] = [
-  { tab: 'pattern', title: 'Pattern' },
-  { tab: 'body', title: 'Body' },
-  { tab: 'arrange', title: 'Arrange' },
-  { tab: 'drape', title: 'Drape' },
-  { tab: 'result', title: 'Result' },
-];
+const kTabs: readonly Tab[] = ['pattern', 'body', 'arrange', 'drape', 'result'];
 
 export function Inspector(props: PicturesProps & { movies?: MovieMaking; files?: PatternUrls }) {
   const state = useAppState();
@@ -25,13 +20,13 @@ export function Inspector(props: PicturesProps & { movies?: MovieMaking; files?:
   const turn = (event: KeyboardEvent): void => {
     if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
     const step = event.key === 'ArrowRight' ? 1 : kTabs.length - 1;
-    state.tab.value = kTabs[(kTabs.findIndex(({ tab }) => tab === shown) + step) % kTabs.length]!.tab;
+    state.tab.value = kTabs[(kTabs.indexOf(shown) + step) % kTabs.length]!;
     document.getElementById(`tab-${state.tab.value}`)?.focus();
   };
   return (
-    <section class="inspector" aria-label="Inspector">
+    <section class="inspector" aria-label={t.frame.inspector}>
       <div class="tabs" role="tablist" onKeyDown={turn}>
-        {kTabs.map(({ tab, title }) => (
+        {kTabs.map((tab) => (
           <button
             key={tab}
             role="tab"
@@ -41,12 +36,12 @@ export function Inspector(props: PicturesProps & { movies?: MovieMaking; files?:
             tabIndex={shown === tab ? 0 : -1}
             onClick={() => (state.tab.value = tab)}
           >
-            {title}
+            {t.frame.tabs[tab]}
           </button>
         ))}
       </div>
       <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${shown}`} tabIndex={0}>
-        <h2 class="visually-hidden">{kTabs.find(({ tab }) => tab === shown)?.title}</h2>
+        <h2 class="visually-hidden">{t.frame.tabs[shown]}</h2>
         {shown === 'pattern' && <PatternPanel files={props.files} />}
         {shown === 'body' && <BodyPanel />}
         {shown === 'arrange' && <ArrangePanel />}

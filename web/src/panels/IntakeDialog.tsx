@@ -8,17 +8,19 @@ import { useAppState } from '../state/context';
 import type { IntakePlan } from '../state/intake';
 import { valueOf } from '../state/AppState';
 import { documentOf, type ImportDraft } from '../state/importDraft';
-import { bytes, sentence } from '../state/words';
+import { bytes } from '../state/words';
 import { Icon } from '../controls/Icon';
 import { Dropzone } from './Dropzone';
 import { ImportPanel, type PreviewSlot } from './ImportPanel';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 export function IntakeDialog({ Preview }: PreviewSlot) {
   const state = useAppState();
   return state.intake.value ? <Dialog intake={state.intake.value} Preview={Preview} /> : null;
 }
 
-const kLeaving = 'Escape once more closes it; nothing of this is kept.';
+
 
 function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
   const commands = useCommands();
@@ -42,30 +44,38 @@ function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
       aria-labelledby="intake-title"
     >
       <header>
-        <h2 id="intake-title">{draft ? `New project from ${draft.source.file.name}` : 'New project'}</h2>
-        <button class="tool flat" aria-label="Close" onClick={() => dialog.current?.close()}>
+        <h2 id="intake-title">{draft ? t.intake.newFrom(draft.source.file.name) : t.common.newProject}</h2>
+        <button class="tool flat" aria-label={t.common.close} onClick={() => dialog.current?.close()}>
           <Icon name="cross" />
         </button>
       </header>
       <div class="sheet-body">
-        <Dropzone title={intake.files.length === 0 ? 'Drop files here, or choose them' : 'Add more files'} focused />
+        <Dropzone title={intake.files.length === 0 ? t.intake.dropHere : t.intake.addMore} focused />
         <Given intake={intake} />
         {plan && <Missing plan={plan} />}
         {draft && <ImportPanel draft={draft} Preview={Preview} />}
-        {error && <Problem text={sentence(error.detail)} code={[error.code, error.where]} />}
+        {error && <Problem text={error.detail} code={error.code} where={error.where} />}
       </div>
-      <Makers intake={intake} draft={draft} hint={warned.value ? kLeaving : ''} />
+      <Makers intake={intake} draft={draft} hint={warned.value ? t.intake.leaving : ''} />
     </dialog>
   );
 }
 
-function Problem({ text, code }: { text: string; code: readonly string[] }) {
+interface ProblemProps {
+  text: string;
+  code: string;
+  where: string;
+  /** The page's own words, which need no others. */
+  own?: boolean;
+}
+
+function Problem({ text, code, where, own = false }: ProblemProps) {
   return (
     <div class="problem" role="alert">
       <Icon name="alert" />
       <div>
-        <p>{text}</p>
-        <p class="code">{code.filter(Boolean).join(' · ')}</p>
+        <p>{own ? text : <Told code={code} detail={text} />}</p>
+        <p class="code">{[code, where].filter(Boolean).join(' · ')}</p>
       </div>
     </div>
   );
@@ -95,10 +105,10 @@ function Makers({ intake, draft, hint }: { intake: Intake; draft: ImportDraft | 
         {!intake.busy && hint}
       </span>
       <button class="plain" disabled={stuck} onClick={() => make(false)}>
-        Create
+        {t.intake.create}
       </button>
       <button class="primary" disabled={stuck} onClick={() => make(true)}>
-        <Icon name="play" /> Create and drape
+        <Icon name="play" /> {t.intake.createAndDrape}
       </button>
     </footer>
   );
@@ -110,12 +120,12 @@ function Given({ intake }: { intake: Intake }) {
   if (intake.files.length === 0) return null;
   const role = (name: string): string => {
     if (!plan) return '';
-    if (plan.documentName === name) return 'Project';
+    if (plan.documentName === name) return t.intake.roles.project;
     const need = plan.needed.find((one) => one.file?.name === name);
-    if (need) return { dxf: 'Pattern', body: 'Body', image: 'Picture' }[need.kind];
-    if (plan.loose?.file.name === name) return 'Pattern';
-    if (plan.loose?.bodies.some((body) => body.name === name)) return 'Body';
-    return plan.unused.includes(name) ? 'Not used' : '';
+    if (need) return { dxf: t.intake.roles.pattern, body: t.intake.roles.body, image: t.intake.roles.image }[need.kind];
+    if (plan.loose?.file.name === name) return t.intake.roles.pattern;
+    if (plan.loose?.bodies.some((body) => body.name === name)) return t.intake.roles.body;
+    return plan.unused.includes(name) ? t.intake.roles.unused : '';
   };
   return (
     <ul class="files">
@@ -127,7 +137,7 @@ function Given({ intake }: { intake: Intake }) {
           <em>{bytes(file.blob.size)}</em>
           <button
             class="tool flat"
-            aria-label={`Remove ${file.name}`}
+            aria-label={t.frame.remove(file.name)}
             onClick={() => void commands.removeFile(file.name)}
           >
             <Icon name="cross" />
@@ -143,26 +153,26 @@ function Missing({ plan }: { plan: IntakePlan }) {
   return (
     <>
       {plan.problems.map((problem, i) => (
-        <Problem key={i} text={problem.text} code={[problem.code, problem.where]} />
+        <Problem key={i} text={problem.text} code={problem.code} where={problem.where} own />
       ))}
       {missing.length > 0 && (
         <div class="missing" role="status">
           <p>
-            <b>{plan.name}</b> also needs {missing.length === 1 ? 'this file' : `these ${missing.length} files`}:
+            <b>{plan.name}</b> {t.intake.alsoNeeds(missing.length)}
           </p>
           <ul>
             {missing.map((need) => (
               <li key={need.name}>
-                <code>{need.name}</code> {need.kind === 'dxf' ? 'the pattern' : 'the body'}
+                <code>{need.name}</code> {need.kind === 'dxf' ? t.intake.thePattern : t.intake.theBody}
               </li>
             ))}
           </ul>
-          <p>It lies beside project.json where that was saved. Drop it here too.</p>
+          <p>{t.intake.besides}</p>
         </div>
       )}
       {plan.ready && (
         <p class="complete">
-          <Icon name="check" /> Everything is there.
+          <Icon name="check" /> {t.intake.complete}
         </p>
       )}
     </>

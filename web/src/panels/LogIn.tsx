@@ -5,6 +5,8 @@ import type { Api } from '../api/Api';
 import type { ApiError } from '../api/http';
 import { asApiError } from '../commands/notices';
 import { useAppState } from '../state/context';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 type Doors = Pick<Api, 'logIn' | 'logInByToken'>;
 
@@ -40,23 +42,23 @@ function Dialog({ doors, entered }: { doors: Doors; entered: () => void }) {
   return (
     <dialog class="sheet login" ref={dialog} onCancel={(event) => event.preventDefault()} aria-labelledby="login-title">
       <header>
-        <h2 id="login-title">Log in</h2>
+        <h2 id="login-title">{t.frame.logIn}</h2>
       </header>
       <form onSubmit={(event) => void enter(event)}>
         <div class="sheet-body">
           {byToken ? <TokenField /> : <PasswordFields />}
           {error && (
             <p class="problem" role="alert">
-              {error.detail}
+              <Told code={error.code} detail={error.detail} />
             </p>
           )}
         </div>
         <footer>
           <button type="button" class="plain" onClick={() => setByToken(!byToken)}>
-            {byToken ? 'By name and password' : 'By a token'}
+            {byToken ? t.frame.byPassword : t.frame.byToken}
           </button>
           <button type="submit" class="primary" disabled={busy}>
-            Log in
+            {t.frame.logIn}
           </button>
         </footer>
       </form>
@@ -68,11 +70,11 @@ function PasswordFields() {
   return (
     <>
       <label class="text-field">
-        <span>Name</span>
+        <span>{t.common.name}</span>
         <input name="name" autocomplete="username" autocapitalize="none" spellcheck={false} required autofocus />
       </label>
       <label class="text-field">
-        <span>Password</span>
+        <span>{t.frame.password}</span>
         <input name="password" type="password" autocomplete="current-password" required />
       </label>
     </>
@@ -82,7 +84,7 @@ function PasswordFields() {
 function TokenField() {
   return (
     <label class="text-field">
-      <span>Token</span>
+      <span>{t.frame.token}</span>
       <input name="token" type="password" autocomplete="off" placeholder="toile_…" required autofocus />
     </label>
   );

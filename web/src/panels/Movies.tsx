@@ -4,7 +4,10 @@ import { useSignal, type Signal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { Job, MovieKind, MovieOrder } from '../api/types';
 import { isActive } from '../state/jobs';
+import { percent } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { t } from '../texts/language';
+import { told } from '../texts/told';
 
 export interface MovieMaking {
   makeMovie(job: string, kind: MovieKind): Promise<MovieOrder>;
@@ -12,10 +15,7 @@ export interface MovieMaking {
   resultUrl(job: string, name: string): string;
 }
 
-const kKinds: { kind: MovieKind; title: string }[] = [
-  { kind: 'drape', title: 'Movie of the drape' },
-  { kind: 'turntable', title: 'Turntable' },
-];
+const kKinds: readonly MovieKind[] = ['drape', 'turntable'];
 
 /** Between two looks at a movie that is being made, ms. */
 const kLookEvery = 1000;
@@ -28,10 +28,10 @@ export function Movies({ job, making }: { job: Job; making?: MovieMaking | undef
   if (!making || isActive(job.state) || !(kFilm in (job.results ?? {}))) return null;
   return (
     <>
-      <h3>Movies</h3>
+      <h3>{t.report.movies.title}</h3>
       <ul class="downloads">
-        {kKinds.map(({ kind, title }) => (
-          <MovieRow key={job.id + kind} job={job.id} kind={kind} title={title} of={job.name} making={making} />
+        {kKinds.map((kind) => (
+          <MovieRow key={job.id + kind} job={job.id} kind={kind} title={t.report.movies[kind]} of={job.name} making={making} />
         ))}
       </ul>
     </>
@@ -50,10 +50,10 @@ const isUnderWay = (order: MovieOrder | null): boolean => order?.state === 'queu
 
 function wordsOf(order: MovieOrder | null, trouble: string): string {
   if (trouble) return trouble;
-  if (!order) return 'MP4, made when you ask for it';
-  if (order.state === 'queued') return 'Waits for its turn';
-  if (order.state === 'making') return `${Math.round(order.fraction * 100)} % made`;
-  return order.error?.detail ?? 'MP4';
+  if (!order) return t.report.movies.asked;
+  if (order.state === 'queued') return t.report.movies.waits;
+  if (order.state === 'making') return t.report.movies.made(percent(order.fraction, 0));
+  return order.error ? told(order.error.code, order.error.detail).text : 'MP4';
 }
 
 async function tell(

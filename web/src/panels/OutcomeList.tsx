@@ -6,6 +6,7 @@ import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { fixTitle, outcomesOf, type Outcome } from '../state/outcome';
 import { SeamChip } from './SeamChip';
+import { sentence } from '../texts/told';
 
 export function OutcomeList() {
   const state = useAppState();
@@ -31,12 +32,17 @@ export function OutcomeList() {
 function Said({ outcome, all }: { outcome: Outcome; all: readonly string[] }) {
   const { submitting, editing, dressing } = useAppState();
   const commands = useCommands();
-  const { tone, title, text, seams, pieces, fixes, code } = outcome;
+  const { tone, title, text, detail, seams, pieces, fixes, code } = outcome;
   const busy = submitting.value || editing.busy.value || dressing.busy.value !== '';
   return (
     <div class={`reason reason-${tone}`} role={tone === 'bad' ? 'alert' : undefined}>
       <h3>{title}</h3>
       {text && <p>{text}</p>}
+      {detail && (
+        <small class="told" lang="en">
+          {sentence(detail)}
+        </small>
+      )}
       {seams.length + pieces.length > 0 && (
         <p class="sewn-in">
           {seams.map((seam) => (

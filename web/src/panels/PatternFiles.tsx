@@ -5,6 +5,7 @@ import { Icon } from '../controls/Icon';
 import type { PatternUrls } from '../api/patternFiles';
 import type { Paper } from '../api/types';
 import { useAppState } from '../state/context';
+import { t } from '../texts/language';
 
 const kPapers: { paper: Paper; title: string }[] = [
   { paper: 'a4', title: 'A4' },
@@ -19,10 +20,10 @@ export function PatternFiles({ urls }: { urls: PatternUrls }) {
   const paper = useSignal<Paper>('a4');
   if (!project) return null;
   return (
-    <section class="fabric" aria-label="Take out the pattern">
-      <h3>Take out</h3>
+    <section class="fabric" aria-label={t.pattern.files.takePattern}>
+      <h3>{t.common.takeOut}</h3>
       <label class="select-field">
-        <span>Paper of the PDF</span>
+        <span>{t.pattern.files.paper}</span>
         <select value={paper.value} onChange={(event) => (paper.value = event.currentTarget.value as Paper)}>
           {kPapers.map((one) => (
             <option key={one.paper} value={one.paper}>
@@ -32,13 +33,12 @@ export function PatternFiles({ urls }: { urls: PatternUrls }) {
         </select>
       </label>
       <ul class="downloads pattern-files">
-        <FileRow format="PDF" hint="pages to print and glue" url={urls.patternPdfUrl(project.id, paper.value)} />
-        <FileRow format="SVG" hint="one sheet, for plotters" url={urls.patternSvgUrl(project.id)} />
-        <FileRow format="DXF" hint="for other programs" url={urls.patternDxfUrl(project.id)} />
+        <FileRow format="PDF" hint={t.pattern.files.pdf} url={urls.patternPdfUrl(project.id, paper.value)} />
+        <FileRow format="SVG" hint={t.pattern.files.svg} url={urls.patternSvgUrl(project.id)} />
+        <FileRow format="DXF" hint={t.pattern.files.dxf} url={urls.patternDxfUrl(project.id)} />
       </ul>
       <p class="selection-facts">
-        True to size. Lines are where pieces are sewn: add the seam allowance. A square of 50 mm tells whether the printer
-        kept the size.
+        {t.pattern.files.words}
       </p>
     </section>
   );
@@ -46,7 +46,7 @@ export function PatternFiles({ urls }: { urls: PatternUrls }) {
 
 /** It is saved under the project's name. */
 function FileRow({ format, hint, url }: { format: string; hint: string; url: string }) {
-  const name = useAppState().project.value?.name ?? 'Pattern';
+  const name = useAppState().project.value?.name ?? t.pattern.files.name;
   return (
     <li>
       <a href={url} download={`${name}.${format.toLowerCase()}`}>

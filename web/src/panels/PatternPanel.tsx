@@ -9,12 +9,13 @@ import { PatternFiles } from './PatternFiles';
 import { ProposalList } from './ProposalList';
 import { SeamList } from './SeamList';
 import { SelectionPanel } from './SelectionPanel';
+import { t } from '../texts/language';
 
 export function PatternPanel({ files }: { files?: PatternUrls | undefined }) {
   const state = useAppState();
   const pieces = valueOf(state.pieces.value ?? { state: 'loading' });
   const { Panel } = toolOf(state.editing.tool.value);
-  if (!pieces) return <p class="hint">The pattern of the project is edited here.</p>;
+  if (!pieces) return <p class="hint">{t.pattern.editedHere}</p>;
   return (
     <>
       {Panel && <Panel pieces={pieces} />}

@@ -5,11 +5,12 @@ import { useCommands } from '../commands/context';
 import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { aboutText, findingCounts, sortedFindings } from '../state/dressing';
-import { counted, sentence } from '../state/words';
 import { Icon, type IconName } from '../controls/Icon';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 const kIcons: Record<Finding['severity'], IconName> = { error: 'cross', warning: 'alert', note: 'help' };
-const kNames: Record<Finding['severity'], string> = { error: 'Error', warning: 'Warning', note: 'Note' };
+
 
 export function ProblemList() {
   const { dressing } = useAppState();
@@ -20,7 +21,9 @@ export function ProblemList() {
       <div class="problem" role="alert">
         <Icon name="alert" />
         <div>
-          <p>{sentence(problem.detail)}</p>
+          <p>
+            <Told code={problem.code} detail={problem.detail} />
+          </p>
           {problem.where && <p class="where">{problem.where}</p>}
         </div>
       </div>
@@ -29,7 +32,7 @@ export function ProblemList() {
   if (!check) {
     return (
       <p class="busy" role="status">
-        <span class="spinner" aria-hidden="true" /> Looking at the start
+        <span class="spinner" aria-hidden="true" /> {t.arrange.looking}
       </p>
     );
   }
@@ -38,12 +41,12 @@ export function ProblemList() {
   const rest = findings.filter((finding) => !open.includes(finding));
   const shown = dressing.finding.value?.finding;
   return (
-    <section class="findings" aria-label="Problems">
+    <section class="findings" aria-label={t.arrange.problems}>
       <Verdict ready={check.ready} findings={check.findings} />
       <Rows findings={open} />
       {rest.length > 0 && (
         <details open={shown !== undefined && rest.includes(shown)}>
-          <summary>{counted(rest.length, 'thing')} good to know</summary>
+          <summary>{t.arrange.goodToKnow(rest.length)}</summary>
           <Rows findings={rest} />
         </details>
       )}
@@ -63,16 +66,16 @@ const Rows = ({ findings }: { findings: Finding[] }) => (
 function Verdict({ ready, findings }: { ready: boolean; findings: Finding[] }) {
   const counts = findingCounts(findings);
   const parts = [
-    counts.error && counted(counts.error, 'error'),
-    counts.warning && counted(counts.warning, 'warning'),
-    counts.note && counted(counts.note, 'note'),
-    counts.repaired && `${counts.repaired} repaired`,
+    counts.error && t.arrange.errors(counts.error),
+    counts.warning && t.arrange.warnings(counts.warning),
+    counts.note && t.arrange.notes(counts.note),
+    counts.repaired && t.arrange.repaired(counts.repaired),
   ].filter(Boolean);
   return (
     <p class={`verdict ${ready ? (counts.warning ? 'warn' : 'good') : 'bad'}`}>
       <Icon name={ready ? 'check' : 'cross'} />
-      <b>{ready ? 'Ready to drape' : 'Not ready to drape'}</b>
-      <small>{parts.join(', ') || 'nothing to find fault with'}</small>
+      <b>{ready ? t.arrange.ready : t.arrange.notReady}</b>
+      <small>{parts.join(', ') || t.arrange.noFault}</small>
     </p>
   );
 }
@@ -88,7 +91,7 @@ function Row({ finding }: { finding: Finding }) {
       <button class={`finding ${kind}`} aria-pressed={shown} onClick={() => commands.dressing.look(finding)}>
         <Icon name={finding.repaired ? 'check' : kIcons[finding.severity]} />
         <span>
-          <em>{finding.repaired ? 'Repaired' : kNames[finding.severity]}</em> {sentence(finding.message)}
+          <em>{finding.repaired ? t.arrange.severities.repaired : t.arrange.severities[finding.severity]}</em> <Told code={finding.code} detail={finding.message} />
           <small>{aboutText(finding, seams) || finding.where}</small>
         </span>
       </button>

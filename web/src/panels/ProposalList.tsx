@@ -5,19 +5,21 @@ import type { Piece, Pieces, SeamProposal } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { lengthsText, seriesText } from '../state/seamView';
-import { counted, percent, sentence } from '../state/words';
+import { percent } from '../state/words';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 export function ProposalList({ pieces }: { pieces: Pieces }) {
   const { proposals } = useAppState().editing;
   const found = proposals.value;
   if (pieces.pieces.length === 0) return null;
   return (
-    <section class="proposals" aria-label="Proposed seams">
-      <h3>Proposals</h3>
+    <section class="proposals" aria-label={t.pattern.proposed}>
+      <h3>{t.pattern.proposals}</h3>
       {(found === null || found.state === 'failed') && <Ask failure={found} />}
       {found?.state === 'loading' && (
         <p class="busy" role="status">
-          <span class="spinner" aria-hidden="true" /> Looking at lengths, notches and names…
+          <span class="spinner" aria-hidden="true" /> {t.pattern.looking}
         </p>
       )}
       {found?.state === 'ready' && <Found proposals={found.value} pieces={pieces.pieces} />}
@@ -31,9 +33,9 @@ function Ask({ failure }: { failure: { error: ApiError } | null }) {
   const { pattern } = useCommands();
   return (
     <>
-      {failure && <p class="hint bad">{sentence(failure.error.detail)}</p>}
+      {failure && <p class="hint bad"><Told code={failure.error.code} detail={failure.error.detail} /></p>}
       <button class="plain" disabled={busy.value} onClick={() => void pattern.propose()}>
-        Look for seams
+        {t.pattern.lookForSeams}
       </button>
     </>
   );
@@ -42,7 +44,7 @@ function Ask({ failure }: { failure: { error: ApiError } | null }) {
 function Found({ proposals, pieces }: { proposals: readonly SeamProposal[]; pieces: readonly Piece[] }) {
   const { chosen, busy } = useAppState().editing;
   const { pattern } = useCommands();
-  if (proposals.length === 0) return <p class="hint">No further seams are found.</p>;
+  if (proposals.length === 0) return <p class="hint">{t.pattern.noneFurther}</p>;
   return (
     <>
       <ul>
@@ -61,7 +63,7 @@ function Found({ proposals, pieces }: { proposals: readonly SeamProposal[]; piec
         disabled={chosen.value.size === 0 || busy.value}
         onClick={() => void pattern.acceptProposals()}
       >
-        Sew {counted(chosen.value.size, 'seam')}
+        {t.pattern.sewSeams(chosen.value.size)}
       </button>
     </>
   );
@@ -98,7 +100,7 @@ export function ProposalRow({ proposal, pieces, on, turn, light, colour }: Propo
             {lengths} · {difference}
           </small>
         </span>
-        <em title="Confidence">{percent(proposal.confidence, 0)}</em>
+        <em title={t.pattern.confidence}>{percent(proposal.confidence, 0)}</em>
       </label>
     </li>
   );

@@ -5,9 +5,12 @@ import type { Job, Project } from '../api/types';
 import { useCommands } from '../commands/context';
 import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { activity, isActive, newestJobOf, overall, stateNames, thumbnailOf, withoutStale } from '../state/jobs';
+import { activity, isActive, newestJobOf, overall, stateName, thumbnailOf, withoutStale } from '../state/jobs';
 import { ago, percent, sentence } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
+import { told } from '../texts/told';
 
 export interface PicturesProps {
   /** Address of a result file; of a still `width` pixels wide. */
@@ -17,13 +20,13 @@ export interface PicturesProps {
 export function Rail({ resultUrl }: PicturesProps) {
   const commands = useCommands();
   return (
-    <nav class="rail" aria-label="Projects and drapes">
+    <nav class="rail" aria-label={t.frame.lists}>
       <div class="rail-head">
-        <h2>Projects</h2>
+        <h2>{t.frame.projects}</h2>
         <button
           class="tool flat"
-          title="New project from files (O)"
-          aria-label="New project"
+          title={t.frame.newFromFilesKey}
+          aria-label={t.common.newProject}
           onClick={() => commands.openIntake()}
         >
           <Icon name="plus" />
@@ -31,7 +34,7 @@ export function Rail({ resultUrl }: PicturesProps) {
       </div>
       <ProjectList resultUrl={resultUrl} />
       <div class="rail-head">
-        <h2>Drapes</h2>
+        <h2>{t.frame.drapes}</h2>
       </div>
       <JobList resultUrl={resultUrl} />
     </nav>
@@ -42,7 +45,7 @@ export function Rail({ resultUrl }: PicturesProps) {
 const kThumbWidth = 96;
 
 const Skeleton = ({ rows }: { rows: number }) => (
-  <ul class="rail-list" aria-label="Loading">
+  <ul class="rail-list" aria-label={t.frame.loading}>
     {Array.from({ length: rows }, (_, i) => (
       <li key={i} class="row skeleton">
         <span class="thumb" />
@@ -60,13 +63,13 @@ function ProjectList({ resultUrl }: PicturesProps) {
   const commands = useCommands();
   const projects = state.projects.value;
   if (projects.state === 'loading') return <Skeleton rows={2} />;
-  if (projects.state === 'failed') return <p class="hint bad">{projects.error.detail}</p>;
+  if (projects.state === 'failed') return <p class="hint bad"><Told code={projects.error.code} detail={projects.error.detail} /></p>;
   if (projects.value.length === 0) {
     return (
       <p class="hint">
-        No projects yet. Drop a <b>DXF</b> pattern anywhere, or{' '}
+        {t.frame.noProjects} <b>DXF</b> {t.frame.noProjectsOr}{' '}
         <button class="link" onClick={() => commands.openIntake()}>
-          choose files
+          {t.frame.chooseFiles}
         </button>
         .
       </p>
@@ -98,11 +101,11 @@ function ProjectRow({ project, resultUrl }: { project: Project } & PicturesProps
         <span class="row-text">
           <b>{project.name}</b>
           <small>
-            {drapes === 0 ? 'Not draped yet' : drapes === 1 ? '1 drape' : `${drapes} drapes`} · rev {project.revision}
+            {drapes === 0 ? t.common.notDraped : t.frame.drapeCount(drapes)} · {t.frame.revision(project.revision)}
           </small>
         </span>
       </a>
-      <Remove what={`the project ${project.name} and its drapes`} remove={() => commands.removeProject(project.id)} />
+      <Remove what={t.frame.theProject(project.name)} remove={() => commands.removeProject(project.id)} />
     </li>
   );
 }
@@ -113,13 +116,13 @@ function Remove({ what, remove }: { what: string; remove(): Promise<void> }) {
   return (
     <button
       class={`row-remove${asked.value ? ' asked' : ''}`}
-      aria-label={asked.value ? `Really remove ${what}` : `Remove ${what}`}
-      title={asked.value ? `Removes ${what} for good` : `Remove ${what}`}
+      aria-label={asked.value ? t.frame.reallyRemove(what) : t.frame.remove(what)}
+      title={asked.value ? t.frame.removesForGood(what) : t.frame.remove(what)}
       onClick={() => (asked.value ? void remove() : (asked.value = true))}
       onBlur={() => (asked.value = false)}
       onPointerLeave={() => (asked.value = false)}
     >
-      {asked.value ? 'Remove?' : <Icon name="cross" />}
+      {asked.value ? t.frame.removeAsk : <Icon name="cross" />}
     </button>
   );
 }
@@ -129,7 +132,7 @@ function JobList({ resultUrl }: PicturesProps) {
   const jobs = valueOf(state.jobs.value);
   if (!jobs) return state.jobs.value.state === 'loading' ? <Skeleton rows={3} /> : null;
   if (jobs.length === 0)
-    return <p class="hint">What you drape is listed here, with its place in the queue and its picture at the end.</p>;
+    return <p class="hint">{t.frame.noDrapes}</p>;
   const [shown, stale] = withoutStale(jobs, state.job.value?.id);
   const rows = (some: readonly Job[]) => (
     <ul class="rail-list">
@@ -143,7 +146,7 @@ function JobList({ resultUrl }: PicturesProps) {
       {rows(shown)}
       {stale.length > 0 && (
         <details class="rail-more">
-          <summary>{stale.length} earlier without a result</summary>
+          <summary>{t.frame.earlier(stale.length)}</summary>
           {rows(stale)}
         </details>
       )}
@@ -164,7 +167,7 @@ function JobRow({ job, resultUrl }: { job: Job } & PicturesProps) {
         class="row"
         href={`#/jobs/${job.id}`}
         aria-current={shown ? 'page' : undefined}
-        title={fresh.reason ? sentence(fresh.reason) : undefined}
+        title={fresh.reason ? sentence(told(fresh.reason_code, fresh.reason).text) : undefined}
       >
         <Thumb url={name && resultUrl(job.id, name, kThumbWidth)} failed={fresh.state === 'failed'} />
         <span class="row-text">
@@ -172,7 +175,7 @@ function JobRow({ job, resultUrl }: { job: Job } & PicturesProps) {
           <Standing job={fresh} />
         </span>
       </a>
-      {!active && <Remove what={`this drape of ${job.name}`} remove={() => commands.removeJob(job.id)} />}
+      {!active && <Remove what={t.frame.theDrape(job.name)} remove={() => commands.removeJob(job.id)} />}
     </li>
   );
 }
@@ -184,8 +187,8 @@ function Standing({ job }: { job: Job }) {
   const active = isActive(state);
   const fraction = progress ? overall(progress.phase, progress.fraction) : 0;
   const when = ago(job.ended_ms || job.created_ms, now.value);
-  const word = state === 'running' ? activity(state, progress?.phase) : stateNames[state];
-  const rest = active && state !== 'queued' ? percent(fraction, 0) : `rev ${job.project_revision} · ${when}`;
+  const word = state === 'running' ? activity(state, progress?.phase) : stateName(state);
+  const rest = active && state !== 'queued' ? percent(fraction, 0) : `${t.frame.revision(job.project_revision)} · ${when}`;
   return (
     <>
       <small class={`state-${state}`}>

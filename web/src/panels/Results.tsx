@@ -12,17 +12,19 @@ import { FitTable } from './FitTable';
 import { Movies, type MovieMaking } from './Movies';
 import { OutcomeList } from './OutcomeList';
 import type { PicturesProps } from './Rail';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 export function Results({ resultUrl, movies }: PicturesProps & { movies?: MovieMaking }) {
   const state = useAppState();
   const job = state.job.value;
   const large = useSignal<string | null>(null);
-  if (!job) return <p class="hint">Nothing has been draped yet.</p>;
+  if (!job) return <p class="hint">{t.report.nothingYet}</p>;
   const results = job.results ?? {};
   const stills = stillsOf(results);
   const downloads = downloadsOf(results);
   if (isActive(job.state) && downloads.length === 0) {
-    return <p class="hint">Stills, models and the report are kept here when the drape has ended.</p>;
+    return <p class="hint">{t.report.keptHere}</p>;
   }
   const urlOf = (name: string, width?: number): string => resultUrl(job.id, name, width);
   return (
@@ -33,17 +35,17 @@ export function Results({ resultUrl, movies }: PicturesProps & { movies?: MovieM
       <Fit />
       <CompareWith job={job} />
       <Movies job={job} making={movies} />
-      {downloads.length > 0 && <h3>Take out</h3>}
+      {downloads.length > 0 && <h3>{t.common.takeOut}</h3>}
       <ul class="downloads">
         {downloads.map((file) => (
           <FileLink key={file.name} file={file} url={urlOf(file.name)} of={job.name} tip={file.name} />
         ))}
         {stills.map((name) => {
-          const file = { name, title: 'PNG', hint: `${stillName(name)} still`, bytes: results[name]! };
+          const file = { name, title: 'PNG', hint: t.report.still(stillName(name)), bytes: results[name]! };
           return <FileLink key={name} file={file} url={urlOf(name)} of={job.name} />;
         })}
       </ul>
-      {downloads.length === 0 && stills.length === 0 && <p class="hint">This drape ended without results.</p>}
+      {downloads.length === 0 && stills.length === 0 && <p class="hint">{t.report.withoutResults}</p>}
       {large.value && (
         <Enlarged url={urlOf(large.value)} name={stillName(large.value)} close={() => (large.value = null)} />
       )}
@@ -62,13 +64,13 @@ function Report() {
   if (report?.state === 'loading')
     return (
       <p class="hint" role="status">
-        Reading the report…
+        {t.report.reading}
       </p>
     );
   if (report?.state === 'failed')
     return (
       <p class="hint bad">
-        {report.error.detail} <span class="code">{report.error.code}</span>
+        <Told code={report.error.code} detail={report.error.detail} /> <span class="code">{report.error.code}</span>
       </p>
     );
   if (!report) return null;

@@ -6,19 +6,20 @@ import { useCommands } from '../commands/context';
 import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { lengthsText, seamColour, seamTitle, seriesText } from '../state/seamView';
-import { counted, sentence } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 export function SeamList({ pieces }: { pieces: Pieces }) {
   const state = useAppState();
   const wrong = pieces.seams.filter((seam) => seam.issues.length > 0).length;
   return (
-    <section class="seams" aria-label="Seams">
+    <section class="seams" aria-label={t.pattern.seams}>
       <h3>
-        Seams <span class="head-note">{pieces.seams.length}</span>
-        {wrong > 0 && <span class="head-note warn">{counted(wrong, 'warning')}</span>}
+        {t.pattern.seams} <span class="head-note">{pieces.seams.length}</span>
+        {wrong > 0 && <span class="head-note warn">{t.arrange.warnings(wrong)}</span>}
       </h3>
-      {pieces.seams.length === 0 && <p class="hint">Nothing is sewn yet.</p>}
+      {pieces.seams.length === 0 && <p class="hint">{t.pattern.nothingSewn}</p>}
       <ul>
         {pieces.seams.map((seam, index) => (
           <Row key={seam.id} seam={seam} index={index} title={seamTitle(pieces.seams, seam.id)} chosen={state.editing.seam.value === seam.id} />
@@ -92,25 +93,25 @@ function Chosen({ seam, difference }: { seam: Seam; difference: string }) {
         <em>B</em> {seriesText(seam.b, pieces)}
       </p>
       <p>
-        Difference <b>{difference}</b>
-        {seam.same_direction && ', sewn in the same direction'}
+        {t.pattern.difference} <b>{difference}</b>
+        {seam.same_direction && t.pattern.sameDirection}
       </p>
       {seam.issues.map((issue, i) => (
         <p key={i} class={issue.error ? 'bad' : 'warn'}>
-          {sentence(issue.message)} <span class="code">{issue.code}</span>
+          <Told code={issue.code} detail={issue.message} /> <span class="code">{issue.code}</span>
         </p>
       ))}
       <div class="button-row">
         <button class="plain" onClick={() => edit('reverse_seam')}>
-          Reverse
+          {t.pattern.reverse}
         </button>
         {isDart(seam) && (
-          <button class="plain" title="Takes the wedge out of the outline too" onClick={() => edit('remove_dart')}>
-            Remove dart
+          <button class="plain" title={t.pattern.wedgeTip} onClick={() => edit('remove_dart')}>
+            {t.pattern.removeDart}
           </button>
         )}
         <button class="plain danger" onClick={remove}>
-          Remove seam
+          {t.pattern.removeSeam}
         </button>
       </div>
     </div>

@@ -10,8 +10,10 @@ import { boxOf, insideOf } from '../state/patternGeometry';
 import { seamColour, seamsOfEdge, seamTitle } from '../state/seamView';
 import { NumberField } from '../controls/NumberField';
 import { points } from '../tools/points';
+import { patternFigure, patternLength } from '../texts/units';
 import { FabricField } from './FabricField';
 import { TextureFields } from './TextureFields';
+import { t } from '../texts/language';
 
 export function SelectionPanel({ pieces }: { pieces: Pieces }) {
   const state = useAppState();
@@ -23,8 +25,8 @@ export function SelectionPanel({ pieces }: { pieces: Pieces }) {
     return (
       <>
         <p class="hint">
-          Select a piece to rename, mirror or copy it. <b>Points</b> (Z) changes its outline, <b>Sew</b> (N) joins
-          edges.
+          {t.pattern.selectHint} <b>{t.keys.tools.points.title}</b> {t.pattern.selectPoints}{' '}
+          <b>{t.keys.tools.sew.title}</b> {t.pattern.selectSew}
         </p>
         <FabricField pieces={pieces.pieces} />
         <TextureFields pieces={pieces.pieces} all={pieces.pieces} />
@@ -32,10 +34,10 @@ export function SelectionPanel({ pieces }: { pieces: Pieces }) {
     );
   }
   return (
-    <section class="selection" aria-label="Selection">
+    <section class="selection" aria-label={t.pattern.selection}>
       <NameField
         key={piece.id}
-        label="Name of the piece"
+        label={t.pattern.pieceName}
         name={piece.id}
         take={(to) => void pattern.renamePiece(piece.id, to)}
       />
@@ -68,7 +70,7 @@ function NameField({ label, name, take }: { label: string; name: string; take(to
         value={typed.value}
         maxLength={200}
         spellcheck={false}
-        title={`${label}: type over it to rename`}
+        title={t.pattern.renameTip(label)}
         onInput={(event) => (typed.value = event.currentTarget.value)}
         onBlur={done}
         onKeyDown={(event) => {
@@ -90,38 +92,38 @@ function PieceFigures({ piece, all }: { piece: Piece; all: readonly Piece[] }) {
   return (
     <>
       <p class="selection-facts">
-        {(box.maxX - box.minX).toFixed(1)} × {(box.maxY - box.minY).toFixed(1)} mm · {piece.edges.length} edges
-        {piece.notches.length > 0 && ` · ${piece.notches.length} notches`}
+        {patternFigure(box.maxX - box.minX)} × {patternLength(box.maxY - box.minY)} · {t.pattern.edgeCount(piece.edges.length)}
+        {piece.notches.length > 0 && ` · ${t.pattern.notchCount(piece.notches.length)}`}
       </p>
       <div class="field-row">
         <NumberField
-          label="Grain"
+          label={t.pattern.grain}
           value={angle}
           unit="°"
           take={(wanted) => void pattern.edit({ edit: 'rotate_grain', piece: piece.id, angle: turn(wanted - angle) })}
         />
-        <NumberField label="x" value={box.minX} unit="mm" take={(x) => void move([x - box.minX, 0])} />
-        <NumberField label="y" value={box.minY} unit="mm" take={(y) => void move([0, y - box.minY])} />
+        <NumberField label="x" value={box.minX} length take={(x) => void move([x - box.minX, 0])} />
+        <NumberField label="y" value={box.minY} length take={(y) => void move([0, y - box.minY])} />
       </div>
       <div class="button-row">
         <button class="plain" onClick={() => void pattern.edit({ edit: 'rotate_grain', piece: piece.id, angle: 45 })}>
-          Grain +45°
+          {t.pattern.grain45}
         </button>
         <button class="plain" onClick={() => void pattern.edit({ edit: 'mirror_piece', piece: piece.id })}>
-          Mirror
+          {t.pattern.mirror}
         </button>
         <button class="plain" onClick={() => void pattern.duplicatePiece(piece.id, false)}>
-          Duplicate
+          {t.pattern.duplicate}
         </button>
         <button
           class="plain"
-          title="A copy that is turned over"
+          title={t.pattern.mirroredTip}
           onClick={() => void pattern.duplicatePiece(piece.id, true)}
         >
-          Mirrored copy
+          {t.pattern.mirrored}
         </button>
         <button class="plain danger" onClick={() => void pattern.removePiece(piece.id)}>
-          Delete
+          {t.common.delete}
         </button>
       </div>
       <FabricField pieces={[piece]} />
@@ -142,11 +144,11 @@ function EdgeChips({ piece }: { piece: Piece }) {
     commands.pattern.selectPart({ kind: 'edge', piece: piece.id, edge });
   };
   return (
-    <ul class="edge-chips" aria-label={`Edges of ${piece.id}`}>
+    <ul class="edge-chips" aria-label={t.pattern.edgesOf(piece.id)}>
       {piece.edges.map((edge) => (
         <li key={`${edge.loop} ${edge.id}`}>
-          <button class="part" title={`${edge.length_mm.toFixed(1)} mm`} onClick={() => pick(edge.id)}>
-            {edge.id} <small>{edge.length_mm.toFixed(0)}</small>
+          <button class="part" title={patternLength(edge.length_mm)} onClick={() => pick(edge.id)}>
+            {edge.id} <small>{patternFigure(edge.length_mm, 0)}</small>
           </button>
         </li>
       ))}
@@ -162,14 +164,14 @@ function NotchButton({ piece, edge, at }: { piece: Piece; edge: PieceEdge; at: P
     const remove: Edit = { edit: 'remove_notch', piece: piece.id, notch };
     return (
       <button class="plain" onClick={() => void pattern.edit(remove)}>
-        Remove notch
+        {t.pattern.removeNotch}
       </button>
     );
   }
   const mark: Edit = { edit: 'add_notch', piece: piece.id, edge: edge.id, at: nearestOn(edge, at).at, depth_mm: 5 };
   return (
-    <button class="plain" title="A mark where pieces meet when they are sewn" onClick={() => void pattern.edit(mark)}>
-      Notch
+    <button class="plain" title={t.pattern.notchTip} onClick={() => void pattern.edit(mark)}>
+      {t.pattern.notch}
     </button>
   );
 }
@@ -191,17 +193,17 @@ function PointFigures({ piece, part, edge, at }: PointFiguresProps) {
         : { edit: 'move_point', piece: part.piece, edge: part.edge, point: part.point, to },
     );
   const name =
-    part.kind === 'handle' ? `Handle of ${edge.id}` : part.point === 0 ? `Corner of ${edge.id}` : `Point of ${edge.id}`;
+    part.kind === 'handle' ? t.pattern.handleOf(edge.id) : part.point === 0 ? t.pattern.cornerOf(edge.id) : t.pattern.pointOf(edge.id);
   return (
     <>
       <h3>{name}</h3>
       <div class="field-row">
-        <NumberField label="x" value={at[0]} unit="mm" digits={2} take={(x) => move([x, at[1]])} />
-        <NumberField label="y" value={at[1]} unit="mm" digits={2} take={(y) => move([at[0], y])} />
+        <NumberField label="x" value={at[0]} length digits={2} take={(x) => move([x, at[1]])} />
+        <NumberField label="y" value={at[1]} length digits={2} take={(y) => move([at[0], y])} />
       </div>
       <div class="button-row">
         <button class="plain danger" onClick={() => void pattern.remove()}>
-          {part.kind === 'handle' ? 'Make straight' : 'Delete point'}
+          {part.kind === 'handle' ? t.pattern.makeStraight : t.pattern.deletePoint}
         </button>
         {part.kind === 'point' && <NotchButton piece={piece} edge={edge} at={at} />}
       </div>
@@ -210,26 +212,22 @@ function PointFigures({ piece, part, edge, at }: PointFiguresProps) {
 }
 
 function edgeKind(edge: PieceEdge): string {
-  if (edge.curves.every(isStraight)) return 'straight';
-  return edge.curves.length === 1 ? 'curve' : `${edge.curves.length} curves`;
+  if (edge.curves.every(isStraight)) return t.pattern.straight;
+  return edge.curves.length === 1 ? t.pattern.curve : t.pattern.curves(edge.curves.length);
 }
 
-const kKeep = [
-  ['start', 'its start'],
-  ['middle', 'its middle'],
-  ['end', 'its end'],
-] as const;
-type Keep = (typeof kKeep)[number][0];
+const kKeep = ['start', 'middle', 'end'] as const;
+type Keep = (typeof kKeep)[number];
 
 function EdgeFigures({ piece, edge, pieces, part }: { piece: Piece; edge: PieceEdge; pieces: Pieces; part: Part }) {
   const { pattern } = useCommands();
   return (
     <>
       <h3 class="edge-head">
-        Edge
+        {t.pattern.edge}
         <NameField
           key={edge.id}
-          label="Name of the edge"
+          label={t.pattern.edgeName}
           name={edge.id}
           take={(to) => void pattern.renameEdge(piece.id, edge.id, to)}
         />
@@ -250,13 +248,13 @@ function LengthFields({ piece, edge }: { piece: Piece; edge: PieceEdge }) {
     void pattern.edit({ edit: 'set_edge_length', piece: piece.id, edge: edge.id, length_mm, keep: keep.value });
   return (
     <div class="field-row">
-      <NumberField label="Length" value={edge.length_mm} unit="mm" digits={2} take={set} />
+      <NumberField label={t.common.length} value={edge.length_mm} length digits={2} take={set} />
       <label class="select-field">
-        <span>Keep</span>
+        <span>{t.pattern.keep}</span>
         <select value={keep.value} onChange={(event) => (keep.value = event.currentTarget.value as Keep)}>
-          {kKeep.map(([value, text]) => (
+          {kKeep.map((value) => (
             <option key={value} value={value}>
-              {text}
+              {t.pattern.keeps[value]}
             </option>
           ))}
         </select>
@@ -273,22 +271,22 @@ function EdgeButtons({ piece, edge, part }: { piece: Piece; edge: PieceEdge; par
   return (
     <div class="button-row">
       <button class="plain" onClick={() => void pattern.bendOrStraighten(piece.id, edge.id)}>
-        {curved ? 'Make straight' : 'Make a curve'}
+        {curved ? t.pattern.makeStraight : t.pattern.makeCurve}
       </button>
       <button class="plain" onClick={() => void pattern.edit({ edit: 'insert_point', ...of, at: 0.5 })}>
-        Insert point
+        {t.pattern.insertPoint}
       </button>
       <button class="plain" onClick={() => void pattern.edit({ edit: 'split_edge', ...of, at: 0.5 })}>
-        Split in the middle
+        {t.pattern.splitMiddle}
       </button>
       {next && (
         <button class="plain" onClick={() => void pattern.joinWithNext(piece.id, edge.id)}>
-          Join with {next.id}
+          {t.pattern.joinWith(next.id)}
         </button>
       )}
       {part.kind !== 'edge' && (
         <button class="plain" onClick={() => pattern.selectPart({ kind: 'edge', ...of })}>
-          Whole edge
+          {t.pattern.wholeEdge}
         </button>
       )}
     </div>
@@ -302,7 +300,7 @@ function SewnIn({ piece, edge, pieces }: { piece: Piece; edge: PieceEdge; pieces
   if (seams.length === 0) return null;
   return (
     <p class="sewn-in">
-      Sewn in{' '}
+      {t.pattern.sewnIn}{' '}
       {seams.map((index) => (
         <button class="seam-chip" key={index} onClick={() => pattern.selectSeam(pieces.seams[index]!.id)}>
           <i style={{ background: seamColour(index) }} />
@@ -319,12 +317,12 @@ function DartFields({ piece, edge }: { piece: string; edge: PieceEdge }) {
   const depth = useSignal(100);
   return (
     <details class="dart">
-      <summary>Dart in the middle</summary>
+      <summary>{t.pattern.dartMiddle}</summary>
       <div class="field-row">
-        <NumberField label="Width" unit="mm" value={width.value} take={(mm) => (width.value = mm)} />
-        <NumberField label="Depth" unit="mm" value={depth.value} take={(mm) => (depth.value = mm)} />
+        <NumberField label={t.pattern.width} length value={width.value} take={(mm) => (width.value = mm)} />
+        <NumberField label={t.pattern.depth} length value={depth.value} take={(mm) => (depth.value = mm)} />
         <button class="plain" onClick={() => void pattern.addDart(piece, edge.id, width.value, depth.value)}>
-          Add dart
+          {t.pattern.addDart}
         </button>
       </div>
     </details>
@@ -340,15 +338,15 @@ function InnerDartFields({ piece }: { piece: Piece }) {
   const half = length.value / 2;
   return (
     <details class="dart">
-      <summary>Dart within the piece</summary>
+      <summary>{t.pattern.dartWithin}</summary>
       <div class="field-row">
-        <NumberField label="Width" unit="mm" value={width.value} take={(mm) => (width.value = mm)} />
-        <NumberField label="Length" unit="mm" value={length.value} take={(mm) => (length.value = mm)} />
+        <NumberField label={t.pattern.width} length value={width.value} take={(mm) => (width.value = mm)} />
+        <NumberField label={t.common.length} length value={length.value} take={(mm) => (length.value = mm)} />
         <button
           class="plain"
           onClick={() => void pattern.addInnerDart(piece.id, [x, y - half], [x, y + half], width.value)}
         >
-          Add dart
+          {t.pattern.addDart}
         </button>
       </div>
     </details>

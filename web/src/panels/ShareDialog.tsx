@@ -8,6 +8,10 @@ import { asApiError } from '../commands/notices';
 import { Icon } from '../controls/Icon';
 import { useAppState } from '../state/context';
 import { isActive } from '../state/jobs';
+import type { Texts } from '../texts/en';
+import { day } from '../texts/numbers';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 export function ShareDialog({ links }: { links: LinkApi }) {
   const { sharing, job } = useAppState();
@@ -15,16 +19,12 @@ export function ShareDialog({ links }: { links: LinkApi }) {
   return <Dialog key={job.value.id} job={job.value} api={links} close={() => (sharing.value = false)} />;
 }
 
-const kTakings: [Taking, string][] = [
-  ['pictures', 'Pictures and movies'],
-  ['report', 'The report'],
-  ['models', '3D models (GLB, OBJ)'],
-];
-const kTimes: [days: number | null, title: string][] = [
-  [1, 'a day'],
-  [7, 'a week'],
-  [30, 'a month'],
-  [365, 'a year'],
+const kTakings: readonly Taking[] = ['pictures', 'report', 'models'];
+const kTimes: [days: number | null, time: keyof Texts['share']['times']][] = [
+  [1, 'day'],
+  [7, 'week'],
+  [30, 'month'],
+  [365, 'year'],
   [null, 'ever'],
 ];
 const kUsualDays = 30;
@@ -55,20 +55,19 @@ function Dialog({ job, api, close }: { job: Job; api: LinkApi; close: () => void
   return (
     <dialog class="sheet share" ref={dialog} onClose={close} aria-labelledby="share-title">
       <header>
-        <h2 id="share-title">Share “{job.name}”</h2>
-        <button class="tool flat" aria-label="Close" onClick={() => dialog.current?.close()}>
+        <h2 id="share-title">{t.share.title(job.name)}</h2>
+        <button class="tool flat" aria-label={t.common.close} onClick={() => dialog.current?.close()}>
           <Icon name="cross" />
         </button>
       </header>
       <div class="sheet-body">
         <p class="share-lead">
-          Whoever has the link sees this drape{isActive(job.state) ? ' as it moves, and what it comes to' : ''}: in 3D, its
-          stills and its figures. They need no account, and can change nothing.
+          {isActive(job.state) ? t.share.leadLive : t.share.lead}
         </p>
         {fresh ? <Fresh url={fresh} another={() => setFresh('')} /> : <Wish make={make} />}
         {error && (
           <p class="problem" role="alert">
-            {error.detail}
+            <Told code={error.code} detail={error.detail} />
           </p>
         )}
         {links !== null && links.length > 0 && <Given links={links} revoke={(link) => void revoke(link)} />}
@@ -92,34 +91,34 @@ function Wish({ make }: { make(label: string, days: number | null, take: Taking[
   return (
     <form class="share-wish" onSubmit={(event) => void submit(event)}>
       <fieldset>
-        <legend>They may take home</legend>
-        {kTakings.map(([what, title]) => (
+        <legend>{t.share.mayTake}</legend>
+        {kTakings.map((what) => (
           <label key={what} class="check">
-            <input type="checkbox" checked={take.includes(what)} onChange={() => flip(what)} /> {title}
+            <input type="checkbox" checked={take.includes(what)} onChange={() => flip(what)} /> {t.share.takings[what]}
           </label>
         ))}
       </fieldset>
       <label class="text-field">
-        <span>Good for</span>
+        <span>{t.share.goodFor}</span>
         <select value={String(days)} onChange={(event) => setDays(Number(event.currentTarget.value) || null)}>
-          {kTimes.map(([time, title]) => (
-            <option key={title} value={String(time)}>
-              {title}
+          {kTimes.map(([time, name]) => (
+            <option key={name} value={String(time)}>
+              {t.share.times[name]}
             </option>
           ))}
         </select>
       </label>
       <label class="text-field">
-        <span>For whom</span>
+        <span>{t.share.forWhom}</span>
         <input
           value={label}
           maxLength={40}
-          placeholder="A note for yourself"
+          placeholder={t.share.note}
           onInput={(event) => setLabel(event.currentTarget.value)}
         />
       </label>
       <button class="primary" type="submit" disabled={busy}>
-        <Icon name="share" /> Make a link
+        <Icon name="share" /> {t.share.make}
       </button>
     </form>
   );
@@ -143,15 +142,15 @@ function Fresh({ url, another }: { url: string; another: () => void }) {
   return (
     <div class="share-fresh">
       <div class="share-link">
-        <input ref={field} readOnly value={url} aria-label="The link" onFocus={(event) => event.currentTarget.select()} />
+        <input ref={field} readOnly value={url} aria-label={t.share.theLink} onFocus={(event) => event.currentTarget.select()} />
         <button class="primary" onClick={() => void copy()}>
-          <Icon name={copied ? 'check' : 'copy'} /> {copied ? 'Copied' : 'Copy'}
+          <Icon name={copied ? 'check' : 'copy'} /> {copied ? t.share.copied : t.share.copy}
         </button>
       </div>
       <p>
-        It is shown this once: copy it now.{' '}
+        {t.share.onceOnly}{' '}
         <button class="plain small" onClick={another}>
-          Make another
+          {t.share.another}
         </button>
       </p>
     </div>
@@ -161,16 +160,16 @@ function Fresh({ url, another }: { url: string; another: () => void }) {
 function Given({ links, revoke }: { links: readonly ShareLink[]; revoke: (link: ShareLink) => void }) {
   return (
     <section class="share-given">
-      <h3>Links to this drape</h3>
+      <h3>{t.share.links}</h3>
       <ul>
         {links.map((link) => (
           <li key={link.id} class={link.expired ? 'over' : ''}>
             <div>
-              <b>{link.label || 'Without a note'}</b>
+              <b>{link.label || t.share.withoutNote}</b>
               <small>{linkText(link)}</small>
             </div>
-            <button class="plain" onClick={() => revoke(link)} aria-label={`Take back ${link.label || 'this link'}`}>
-              Take back
+            <button class="plain" onClick={() => revoke(link)} aria-label={t.share.takeBackWhat(link.label || t.share.thisLink)}>
+              {t.share.takeBack}
             </button>
           </li>
         ))}
@@ -179,11 +178,12 @@ function Given({ links, revoke }: { links: readonly ShareLink[]; revoke: (link: 
   );
 }
 
-const kTaken: Record<Taking, string> = { pictures: 'pictures', report: 'report', models: 'models' };
+
 
 function linkText({ created_ms, expires_ms, expired, take }: ShareLink): string {
-  const day = (ms: number): string => new Date(ms).toLocaleDateString('en-GB', { dateStyle: 'medium' });
-  const until = expires_ms === 0 ? 'for ever' : expired ? `expired ${day(expires_ms)}` : `until ${day(expires_ms)}`;
-  const may = take.length === 0 ? 'to look at only' : `may take ${take.map((one) => kTaken[one]).join(', ')}`;
+  
+  const last = day(expires_ms);
+  const until = expires_ms === 0 ? t.share.forEver : expired ? t.share.expired(last) : t.share.until(last);
+  const may = take.length === 0 ? t.share.lookOnly : t.share.mayTakeWhat(take.map((one) => t.share.taken[one]).join(', '));
   return `${day(created_ms)}, ${until} · ${may}`;
 }

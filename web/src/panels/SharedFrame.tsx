@@ -9,6 +9,8 @@ import { closedBy, type SharedState } from '../state/shared';
 import { BrandMark } from '../controls/BrandMark';
 import { SharedPanel } from './SharedPanel';
 import { StateChip } from './StateChip';
+import { t } from '../texts/language';
+import { Settings } from './Settings';
 
 interface Props {
   shared: SharedState;
@@ -26,7 +28,7 @@ export function SharedFrame({ shared, api, again, children }: Props) {
       <Bare title={why.title} text={why.text}>
         {why.again && (
           <button class="primary" onClick={again}>
-            Try again
+            {t.share.tryAgain}
           </button>
         )}
       </Bare>
@@ -36,7 +38,7 @@ export function SharedFrame({ shared, api, again, children }: Props) {
     return (
       <div class="shared-bare" role="status">
         <span class="spinner" aria-hidden="true" />
-        <p>Opening the link…</p>
+        <p>{t.share.opening}</p>
       </div>
     );
   }
@@ -57,9 +59,10 @@ function Head({ job }: { job: SharedJob }) {
       <Mark />
       <h1>{job.name}</h1>
       <StateChip state={job.state} />
-      <span class="shared-word" title="Whoever shared this drape lets you look at it">
-        Shared with you
+      <span class="shared-word" title={t.share.sharedTip}>
+        {t.share.shared}
       </span>
+      <Settings />
     </header>
   );
 }
@@ -87,8 +90,8 @@ export function SharedTold({ shared }: { shared: SharedState }) {
   const loaded = shared.job.value;
   if (state.covered.value || loaded.state !== 'ready') return null;
   const job = loaded.value;
-  if (!isActive(job.state) && !job.cloth) return <p class="scene-message compact">There is no cloth to show.</p>;
-  const doing = isActive(job.state) ? activity(job.state, state.progress.value?.phase) : 'Fetching the drape';
+  if (!isActive(job.state) && !job.cloth) return <p class="scene-message compact">{t.share.noCloth}</p>;
+  const doing = isActive(job.state) ? activity(job.state, state.progress.value?.phase) : t.share.fetching;
   return (
     <div class="scene-message quiet" role="status">
       <span class="spinner" aria-hidden="true" />

@@ -12,6 +12,8 @@ import { goodUntil, takenHome } from '../state/shared';
 import { percent } from '../state/words';
 import { Enlarged, FileLink, Lines, stillName, Stills } from './DrapeParts';
 import { FitTable } from './FitTable';
+import { t } from '../texts/language';
+import { sentence, told } from '../texts/told';
 
 const kEnlarged = 1024;
 
@@ -19,14 +21,14 @@ export function SharedPanel({ job, api }: { job: SharedJob; api: SharedApi }) {
   const large = useSignal<string | null>(null);
   const stills = stillsOf(Object.fromEntries(job.stills.map((name) => [name, 0])));
   return (
-    <aside class="shared-panel" aria-label="About this drape">
+    <aside class="shared-panel" aria-label={t.share.about}>
       {isActive(job.state) ? <Live job={job} /> : <Ending job={job} />}
       {stills.length > 0 && (
         <Stills names={stills} urlOf={(name, width) => api.stillUrl(job.id, name, width ?? kEnlarged)} enlarge={(name) => (large.value = name)} />
       )}
       {job.report && (
         <>
-          <h2>How it came out</h2>
+          <h2>{t.share.cameOut}</h2>
           <Lines lines={reportLines(job.report)} />
           <FitTable report={job.report} />
         </>
@@ -57,18 +59,18 @@ function Live({ job }: { job: SharedJob }) {
       <div class="bar">
         <i style={{ width: `${100 * done}%` }} />
       </div>
-      <small>You see it live. Pictures and figures are here when it has come to rest.</small>
+      <small>{t.share.live}</small>
     </div>
   );
 }
 
 function Ending({ job }: { job: SharedJob }) {
   if (job.state === 'succeeded') return null;
-  const title = job.state === 'cancelled' ? 'This drape was cancelled' : 'This drape did not work out';
+  const title = job.state === 'cancelled' ? t.share.wasCancelled : t.share.didNotWork;
   return (
     <div class="reason reason-bad">
       <h3>{title}</h3>
-      {job.reason && <p>{job.reason}</p>}
+      {job.reason && <p>{sentence(told(job.reason_code, job.reason).text)}</p>}
     </div>
   );
 }
@@ -80,15 +82,15 @@ function TakeHome({ job, api }: { job: SharedJob; api: SharedApi }) {
   if (files.length + stills.length === 0 && !page) return null;
   return (
     <>
-      <h2>Take home</h2>
+      <h2>{t.share.takeHome}</h2>
       <ul class="downloads">
         {page && (
           <li>
             <a href={api.reportUrl(job.id)} target="_blank" rel="noreferrer">
               <Icon name="file" />
               <span>
-                <b>Report to read</b>
-                <small>One page, also to print</small>
+                <b>{t.share.reportToRead}</b>
+                <small>{t.share.reportHint}</small>
               </span>
             </a>
           </li>
@@ -97,7 +99,7 @@ function TakeHome({ job, api }: { job: SharedJob; api: SharedApi }) {
           <FileLink key={file.name} file={file} url={api.fileUrl(job.id, file.name)} of={job.name} />
         ))}
         {stills.map((name) => {
-          const file = { name, title: 'PNG', hint: `${stillName(name)} still`, bytes: job.results[name]! };
+          const file = { name, title: 'PNG', hint: t.report.still(stillName(name)), bytes: job.results[name]! };
           return <FileLink key={name} file={file} url={api.fileUrl(job.id, name)} of={job.name} />;
         })}
       </ul>

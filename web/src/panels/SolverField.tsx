@@ -3,14 +3,11 @@
 import { useCommands } from '../commands/context';
 import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
+import { t } from '../texts/language';
 
 const kSolvers = [
-  { solver: 'toile', title: 'Toile', words: 'Nothing goes through anything.' },
-  {
-    solver: 'paper',
-    title: 'Kim and Park 2003',
-    words: 'The method of the paper, to compare with. It may let cloth through; crossings are counted.',
-  },
+  { solver: 'toile', title: 'Toile' },
+  { solver: 'paper', title: 'Kim and Park 2003' },
 ] as const;
 
 export function SolverField() {
@@ -23,10 +20,10 @@ export function SolverField() {
     if (chosen) void pattern.edit({ edit: 'set_solver', solver: chosen.solver });
   };
   return (
-    <section class="fabric" aria-label="How it is draped">
-      <h3>How it is draped</h3>
+    <section class="fabric" aria-label={t.drape.solver.how}>
+      <h3>{t.drape.solver.how}</h3>
       <label class="select-field">
-        <span>Solver</span>
+        <span>{t.drape.solver.solver}</span>
         <select value={now.solver} onChange={(event) => choose(event.currentTarget.value)}>
           {kSolvers.map(({ solver, title }) => (
             <option key={solver} value={solver}>
@@ -35,7 +32,7 @@ export function SolverField() {
           ))}
         </select>
       </label>
-      <p class="selection-facts">{now.words} It counts from the next drape on.</p>
+      <p class="selection-facts">{t.drape.solver[now.solver]} {t.drape.solver.next}</p>
     </section>
   );
 }

@@ -2,7 +2,8 @@
 
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { keep, kept } from '../state/kept';
+import { keep, kept } from '../texts/kept';
+import { t } from '../texts/language';
 
 const kLeast = 280;
 const kMost = 760;
@@ -32,7 +33,7 @@ export function Splitter() {
       class="splitter"
       role="separator"
       aria-orientation="vertical"
-      aria-label="Width of the pattern"
+      aria-label={t.frame.splitter}
       tabIndex={0}
       aria-valuenow={width.value}
       aria-valuemin={kLeast}

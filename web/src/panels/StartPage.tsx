@@ -5,16 +5,16 @@ import { useAppState } from '../state/context';
 import type { Route } from '../state/routes';
 import type { PicturesProps } from './Rail';
 import { Welcome } from './Welcome';
+import { t } from '../texts/language';
 
 /** What is said of an address by what it names. */
-const kLost: Record<Route['name'], string> = {
-  home: '',
-  job: 'This drape does not exist, or no longer does.',
-  project: 'This project does not exist, or no longer does.',
-  compare: 'One of these drapes does not exist, or no longer does.',
+const lost = (name: Route['name']): string => ({ home: '',
+  job: t.frame.lostPages.job,
+  project: t.frame.lostPages.project,
+  compare: t.frame.lostPages.compare,
   shared: '', // has a page of its own
-  unknown: 'The page has nothing at this address.',
-};
+  unknown: t.frame.lostPages.unknown,
+  })[name];
 
 /** Whether the address names what is not there. */
 function leadsNowhere({ route, job, project, allJobs }: AppState): boolean {
@@ -29,13 +29,12 @@ export function StartPage({ resultUrl }: PicturesProps) {
   const { projects, jobs } = state;
   if (projects.value.state === 'failed' && jobs.value.state === 'failed') {
     return (
-      <Sheet title="The server does not answer" code={projects.value.error.code}>
+      <Sheet title={t.frame.noServer} code={projects.value.error.code}>
         <p>
-          The page is here, but the service behind it is not. It is asked again by itself; when it runs, everything
-          appears.
+          {t.frame.noServerWhy}
         </p>
         <p>
-          On this machine <code>./run</code> starts it.
+          {t.frame.startsBefore} <code>./run</code> {t.frame.startsAfter}
         </p>
       </Sheet>
     );
@@ -44,11 +43,11 @@ export function StartPage({ resultUrl }: PicturesProps) {
   if (projects.value.state !== 'ready' || jobs.value.state !== 'ready') return null;
   if (leadsNowhere(state)) {
     return (
-      <Sheet title="Nothing is here" code={location.hash}>
-        <p>{kLost[state.route.value.name]}</p>
+      <Sheet title={t.frame.nothing} code={location.hash}>
+        <p>{lost(state.route.value.name)}</p>
         <p>
           <a class="button primary" href="#/">
-            To the start page
+            {t.frame.toStartPage}
           </a>
         </p>
       </Sheet>

@@ -4,7 +4,9 @@ import type { Job, Progress, Report } from '../api/types';
 import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { activity, overall } from '../state/jobs';
-import { count, millimetres, percent, speed } from '../state/words';
+import { count, millimetres, percent, seconds, speed } from '../state/words';
+import { t } from '../texts/language';
+import { fixed } from '../texts/numbers';
 
 export function StatusBar() {
   const state = useAppState();
@@ -12,13 +14,13 @@ export function StatusBar() {
   if (!job)
     return (
       <footer class="status">
-        <span class="status-phase">Ready</span>
+        <span class="status-phase">{t.frame.ready}</span>
       </footer>
     );
   const report = valueOf(state.report.value ?? loading);
   const figures = { ...(report && ended(report)), ...(job.progress && underWay(job.progress)) };
   return (
-    <footer class={`status state-${job.state}`} aria-label="Status">
+    <footer class={`status state-${job.state}`} aria-label={t.frame.status}>
       <span class="status-phase">
         <i class="dot" aria-hidden="true" />
         {activity(job.state, job.progress?.phase)}
@@ -68,12 +70,12 @@ function Figures({ figures }: { figures: StatusFigures }) {
   const { step, simulated, perStep, gapMm, crossings } = figures;
   return (
     <>
-      <Figure label="Step" value={said(step, count)} />
-      <Figure label="Simulated" value={said(simulated, (s) => `${s.toFixed(2)} s`)} />
-      <Figure label="A step" value={said(perStep || undefined, (ms) => `${ms.toFixed(2)} ms`)} />
-      <Figure label="Speed" value={said(figures.speed, speed)} />
-      <Figure label="Seam gap" value={said(gapMm, millimetres)} />
-      <Figure label="Intersections" value={said(crossings, count)} bad={(crossings ?? 0) > 0} />
+      <Figure label={t.frame.figures.step} value={said(step, count)} />
+      <Figure label={t.frame.figures.simulated} value={said(simulated, (s) => seconds(s, 2))} />
+      <Figure label={t.frame.figures.aStep} value={said(perStep || undefined, (ms) => `${fixed(ms, 2)} ms`)} />
+      <Figure label={t.frame.figures.speed} value={said(figures.speed, speed)} />
+      <Figure label={t.frame.figures.gap} value={said(gapMm, millimetres)} />
+      <Figure label={t.frame.figures.crossings} value={said(crossings, count)} bad={(crossings ?? 0) > 0} />
     </>
   );
 }
@@ -94,7 +96,7 @@ function Bar({ job }: { job: Job }) {
         aria-valuemin={0}
         aria-valuemax={100}
         aria-valuenow={Math.round(100 * fraction)}
-        aria-label="Progress"
+        aria-label={t.frame.progress}
       >
         <i key={job.id} style={{ width: `${100 * fraction}%` }} />
       </span>

@@ -7,6 +7,7 @@ import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { commonTexture } from '../state/texture';
 import { NumberField } from '../controls/NumberField';
+import { t } from '../texts/language';
 
 /** What a browser can show and the service reads. */
 const kAccepted = ['image/png', 'image/jpeg', ...kPictureEndings].join(',');
@@ -18,22 +19,22 @@ export function TextureFields({ pieces, all }: { pieces: readonly Piece[]; all: 
   const shown = texture === 'mixed' ? null : texture;
   const elsewhere = shown !== null && pieces.length < all.length && commonTexture(all) === 'mixed';
   return (
-    <section class="texture" aria-label={pieces.length === 1 ? 'Picture on the piece' : 'Picture on all pieces'}>
+    <section class="texture" aria-label={pieces.length === 1 ? t.fabric.onPiece : t.fabric.onAll}>
       <h3>
-        {pieces.length === 1 ? 'Picture' : 'Picture on all pieces'}
-        {texture === 'mixed' && <span class="head-note">pieces differ</span>}
+        {pieces.length === 1 ? t.fabric.picture : t.fabric.onAll}
+        {texture === 'mixed' && <span class="head-note">{t.fabric.differ}</span>}
       </h3>
       <ImageChoice ids={ids} piece={pieces[0]!} texture={texture} />
       {shown && <Lie ids={ids} texture={shown} />}
       <div class="button-row">
         {elsewhere && (
           <button class="plain" onClick={() => void textures.onAll(shown)}>
-            Same on all pieces
+            {t.fabric.sameOnAll}
           </button>
         )}
         {texture !== null && (
           <button class="plain" onClick={() => void textures.takeOff(ids)}>
-            Take off
+            {t.fabric.takeOff}
           </button>
         )}
       </div>
@@ -64,10 +65,10 @@ function ImageChoice({ ids, piece, texture }: ImageChoiceProps) {
       {look && <img src={look.picture.url} alt="" width={40} height={40} />}
       {images.length > 0 && (
         <label class="select-field">
-          <span class="visually-hidden">Picture</span>
+          <span class="visually-hidden">{t.fabric.picture}</span>
           <select value={now ?? ''} onChange={(event) => choose(event.currentTarget.value)}>
             <option value="" disabled>
-              {texture === 'mixed' ? 'Different ones' : 'None'}
+              {texture === 'mixed' ? t.fabric.different : t.fabric.noPicture}
             </option>
             {images.map((image) => (
               <option key={image.id} value={image.id}>
@@ -78,14 +79,14 @@ function ImageChoice({ ids, piece, texture }: ImageChoiceProps) {
         </label>
       )}
       <button class="plain" disabled={state.editing.uploading.value} onClick={() => input.current?.click()}>
-        {state.editing.uploading.value ? 'Uploading…' : 'Upload picture…'}
+        {state.editing.uploading.value ? t.fabric.uploading : t.fabric.upload}
       </button>
       <input
         ref={input}
         type="file"
         hidden
         accept={kAccepted}
-        aria-label="Picture file"
+        aria-label={t.fabric.pictureFile}
         onChange={(event) => {
           const [file] = event.currentTarget.files ?? [];
           if (file) void textures.upload(ids, file.name, file);
@@ -102,10 +103,10 @@ function Lie({ ids, texture }: { ids: string[]; texture: Texture }) {
   const lay = (part: Partial<Texture>): void => void textures.lay(ids, part);
   return (
     <div class="field-row">
-      <NumberField label="Repeat" value={scale_mm} unit="mm" take={(mm) => mm > 0 && lay({ scale_mm: mm })} />
-      <NumberField label="Angle" value={angle} unit="°" take={(degrees) => lay({ angle: degrees % 360 })} />
-      <NumberField label="Offset x" value={offset[0]} unit="mm" take={(x) => lay({ offset: [x, offset[1]] })} />
-      <NumberField label="Offset y" value={offset[1]} unit="mm" take={(y) => lay({ offset: [offset[0], y] })} />
+      <NumberField label={t.fabric.repeat} value={scale_mm} length take={(mm) => mm > 0 && lay({ scale_mm: mm })} />
+      <NumberField label={t.fabric.angle} value={angle} unit="°" take={(degrees) => lay({ angle: degrees % 360 })} />
+      <NumberField label={t.fabric.offsetX} value={offset[0]} length take={(x) => lay({ offset: [x, offset[1]] })} />
+      <NumberField label={t.fabric.offsetY} value={offset[1]} length take={(y) => lay({ offset: [offset[0], y] })} />
     </div>
   );
 }

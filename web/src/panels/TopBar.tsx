@@ -6,6 +6,8 @@ import { commandsOf, isActive } from '../state/jobs';
 import { Icon } from '../controls/Icon';
 import { BrandMark } from '../controls/BrandMark';
 import { StateChip } from './StateChip';
+import { t } from '../texts/language';
+import { Settings } from './Settings';
 
 export function TopBar() {
   const state = useAppState();
@@ -15,22 +17,23 @@ export function TopBar() {
       <button
         class="tool flat"
         aria-pressed={state.railShown.value}
-        title="Project list (L)"
-        aria-label="Project list"
+        title={t.frame.projectListKey}
+        aria-label={t.frame.projectList}
         onClick={() => (state.railShown.value = !state.railShown.value)}
       >
         <Icon name="list" />
       </button>
-      <a class="brand" href="#/" aria-label="Toile, start page">
+      <a class="brand" href="#/" aria-label={t.frame.toStart}>
         <BrandMark />
       </a>
       <div class="crumbs">{!home && <Crumbs />}</div>
       {!home && <Actions />}
       {state.session.value?.accounts && <LogOut name={state.session.value.name ?? ''} />}
+      <Settings />
       <button
         class="tool flat"
-        title="Keys (?)"
-        aria-label="Keyboard shortcuts"
+        title={t.frame.keysTip}
+        aria-label={t.frame.shortcuts}
         onClick={() => (state.helpShown.value = true)}
       >
         <Icon name="help" />
@@ -43,7 +46,7 @@ export function TopBar() {
 function LogOut({ name }: { name: string }) {
   const commands = useCommands();
   return (
-    <button class="plain who" aria-label={`Log out ${name}`} title="Log out" onClick={() => void commands.logOut()}>
+    <button class="plain who" aria-label={t.frame.logOutWho(name)} title={t.frame.logOut} onClick={() => void commands.logOut()}>
       {name} <Icon name="leave" />
     </button>
   );
@@ -57,7 +60,7 @@ function Crumbs() {
   return (
     <>
       {project && (
-        <a class="crumb" href={`#/projects/${project.id}`} title="Project">
+        <a class="crumb" href={`#/projects/${project.id}`} title={t.frame.project}>
           {project.name}
         </a>
       )}
@@ -84,23 +87,23 @@ function Actions() {
   return (
     <div class="actions">
       {job && (
-        <button class="plain" disabled={offline} onClick={() => (state.sharing.value = true)} title="Show this drape to others">
-          <Icon name="share" /> <span class="label">Share</span>
+        <button class="plain" disabled={offline} onClick={() => (state.sharing.value = true)} title={t.frame.shareTip}>
+          <Icon name="share" /> <span class="label">{t.frame.share}</span>
         </button>
       )}
       {can.cancel && (
         <button class="plain" disabled={offline} onClick={() => void commands.act('cancel')}>
-          <Icon name="stop" /> Cancel
+          <Icon name="stop" /> {t.common.cancel}
         </button>
       )}
       {can.pause && (
-        <button class="plain" disabled={offline} onClick={() => void commands.act('pause')} title="Pause (Space)">
-          <Icon name="pause" /> Pause
+        <button class="plain" disabled={offline} onClick={() => void commands.act('pause')} title={t.frame.pauseKey}>
+          <Icon name="pause" /> {t.frame.pause}
         </button>
       )}
       {can.resume && (
-        <button class="primary" disabled={offline} onClick={() => void commands.act('resume')} title="Go on (Space)">
-          <Icon name="play" /> Resume
+        <button class="primary" disabled={offline} onClick={() => void commands.act('resume')} title={t.frame.resumeKey}>
+          <Icon name="play" /> {t.frame.resume}
         </button>
       )}
       {!active && state.projectId.value && (
@@ -108,9 +111,9 @@ function Actions() {
           class="primary"
           disabled={offline || state.submitting.value}
           onClick={() => void commands.startDrape()}
-          title="Start drape (Space)"
+          title={t.frame.startKey}
         >
-          <Icon name="play" /> {job ? 'Drape again' : 'Start drape'}
+          <Icon name="play" /> {job ? t.common.drapeAgain : t.common.startDrape}
         </button>
       )}
     </div>

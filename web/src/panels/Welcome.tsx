@@ -10,6 +10,7 @@ import { newestJobOf, thumbnailOf } from '../state/jobs';
 import { ago } from '../state/words';
 import { Dropzone } from './Dropzone';
 import type { PicturesProps } from './Rail';
+import { t } from '../texts/language';
 
 /** Projects that are offered to be gone on with. */
 const kRecent = 6;
@@ -20,14 +21,13 @@ export function Welcome({ resultUrl }: PicturesProps) {
   const { projects } = useAppState();
   const recent = [...(valueOf(projects.value) ?? [])].sort((a, b) => b.updated_ms - a.updated_ms).slice(0, kRecent);
   return (
-    <section class="welcome" aria-label="Start">
-      <h1>See your pattern on a body</h1>
+    <section class="welcome" aria-label={t.intake.start}>
+      <h1>{t.intake.seeIt}</h1>
       <p>
-        Toile reads a flat pattern, sews its pieces together, stands them around a body and lets the cloth hang. You
-        watch it fall, change what does not fit, and take home pictures, a 3D model and the figures.
+        {t.intake.lead}
       </p>
-      <Dropzone title="Drop a DXF pattern here, or choose it" />
-      <h2>Or start from a sample</h2>
+      <Dropzone title={t.intake.dropPattern} />
+      <h2>{t.intake.orSample}</h2>
       <ul class="cards">
         {samples.map((sample) => (
           <SampleCard key={sample.id} sample={sample} />
@@ -35,7 +35,7 @@ export function Welcome({ resultUrl }: PicturesProps) {
       </ul>
       {recent.length > 0 && (
         <>
-          <h2>Go on with</h2>
+          <h2>{t.intake.goOn}</h2>
           <ul class="cards">
             {recent.map((project) => (
               <ProjectCard key={project.id} project={project} resultUrl={resultUrl} />
@@ -58,7 +58,7 @@ function SampleCard({ sample }: { sample: Sample }) {
         class="card"
         disabled={sampling.value !== ''}
         aria-busy={busy}
-        title="Makes a project of it and drapes it"
+        title={t.intake.sampleTip}
         onClick={() => void commands.startSample(sample)}
       >
         <span class="card-picture">

@@ -7,6 +7,8 @@ import { isStraight, jointsOf } from '../state/outline';
 import { seamColour, type SeamDraft } from '../state/seamView';
 import type { PatternTool } from '../tools/PatternTool';
 import { linePath } from './PieceShape';
+import { t } from '../texts/language';
+import { patternFigure, patternLength } from '../texts/units';
 
 export interface EditMarksProps {
   piece: Piece;
@@ -58,7 +60,7 @@ function EdgeMark({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
       tabindex={selected || tool.edges?.tabbed === 'all' ? 0 : -1}
       role="button"
       aria-pressed={chosen || side !== undefined}
-      aria-label={`Edge ${edge.id} of ${piece.id}, ${edge.length_mm.toFixed(1)} mm${side ? `, side ${side.toUpperCase()}` : ''}`}
+      aria-label={`${t.pattern.edgeLabel(edge.id, piece.id, patternLength(edge.length_mm))}${side ? t.pattern.sideLabel(side.toUpperCase()) : ''}`}
       onPointerDown={(event) => props.onEdge(edge.id, event)}
       onPointerEnter={() => props.onLight(edge.id)}
       onPointerLeave={() => props.onLight(null)}
@@ -89,7 +91,7 @@ function EdgePoints({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
                 held={part}
                 at={curve[handle]}
                 from={curve[handle === 1 ? 0 : 3]}
-                name={`Handle ${handle} of curve ${i + 1} of edge ${edge.id}`}
+                name={t.pattern.handleName(handle, i + 1, edge.id)}
               />
             )),
       )}
@@ -101,7 +103,7 @@ function EdgePoints({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
           held={part}
           at={at}
           from={null}
-          name={point === 0 ? `Corner at the start of edge ${edge.id}` : `Point ${point} of edge ${edge.id}`}
+          name={point === 0 ? t.pattern.cornerName(edge.id) : t.pattern.pointName(point, edge.id)}
         />
       ))}
     </>
@@ -147,7 +149,7 @@ function Grip({
       tabindex={0}
       role="button"
       aria-pressed={chosen}
-      aria-label={`${name} at ${at[0].toFixed(1)}, ${at[1].toFixed(1)} mm; arrow keys move it`}
+      aria-label={t.pattern.gripLabel(name, `${patternFigure(at[0])}, ${patternLength(at[1])}`)}
       onPointerDown={(event) => onGrab(part, at, event)}
       onKeyDown={keys}
     >

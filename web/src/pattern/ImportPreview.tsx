@@ -11,6 +11,7 @@ import { fit, viewBox } from './Viewport';
 import { piecesDrawn, seamsInReach, sourceNames, type ImportDraft, type PreviewProps } from '../state/importDraft';
 import { joined, layOut, type PlacedPiece } from '../state/patternGeometry';
 import { seamParts } from '../state/seamView';
+import { t } from '../texts/language';
 
 /** The ticked seams and the lit one. */
 function seamsShown(draft: ImportDraft, report: Import, lit: string | null, pictures: readonly Piece[]): ShownSeam[] {
@@ -32,7 +33,7 @@ export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
     return (
       <div class="import-preview">
         <svg ref={svg} class="plane" />
-        <p class="hint">No piece of this file can be cut.</p>
+        <p class="hint">{t.imports.nothingToCut}</p>
       </div>
     );
   }
@@ -47,7 +48,7 @@ export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
         class="plane"
         viewBox={viewBox(port, view.width, view.height)}
         role="group"
-        aria-label={`Preview of ${placed.length} pieces`}
+        aria-label={t.imports.preview(placed.length)}
       >
         {placed.map((one) => (
           <FilePiece

@@ -4,9 +4,11 @@ import type { Piece } from '../api/types';
 import type { ApiError } from '../api/http';
 import { useAppState } from '../state/context';
 import { lengthsText, numberedTitle, seamLengths } from '../state/seamView';
-import { sentence } from '../state/words';
 import type { Held, PatternTool } from '../tools/PatternTool';
 import { kDraftSeam, type ShownSeam } from './SeamShapes';
+import { t } from '../texts/language';
+import { patternFigure, patternSign } from '../texts/units';
+import { Told } from '../texts/Message';
 
 export interface PatternNoteProps {
   /** As they are shown. */
@@ -32,7 +34,9 @@ export function PatternNote({ pieces, tool, held, lit }: PatternNoteProps) {
 function Refusal({ problem }: { problem: ApiError }) {
   return (
     <div class="pattern-note bad" role="alert">
-      <p>{sentence(problem.detail)}</p>
+      <p>
+        <Told code={problem.code} detail={problem.detail} />
+      </p>
       <p class="code">{[problem.code, problem.where].filter(Boolean).join(' · ')}</p>
     </div>
   );
@@ -44,7 +48,7 @@ function placeOf(held: Held | null) {
   const [x, y] = held.at;
   return (
     <>
-      <b>{x.toFixed(1)}</b>, <b>{y.toFixed(1)}</b> mm
+      <b>{patternFigure(x)}</b>, <b>{patternFigure(y)}</b> {patternSign()}
     </>
   );
 }
@@ -56,7 +60,7 @@ function lengthsOf(pieces: readonly Piece[], lit: ShownSeam | null) {
   const { lengths, difference } = lengthsText(a, b);
   return (
     <>
-      <b>{lit.seam.id === kDraftSeam ? 'New seam' : numberedTitle(lit.seam, lit.index)}</b> {lengths} · {difference}
+      <b>{lit.seam.id === kDraftSeam ? t.pattern.newSeam : numberedTitle(lit.seam, lit.index)}</b> {lengths} · {difference}
     </>
   );
 }

@@ -9,7 +9,6 @@ import { useAppState } from '../state/context';
 import { add } from '../state/outline';
 import { layOut, type PlacedPiece } from '../state/patternGeometry';
 import { seamParts, type SeamDraft } from '../state/seamView';
-import { sentence } from '../state/words';
 import { toolOf } from '../tools/table';
 import type { Held, PatternTool } from '../tools/PatternTool';
 import { PatternNote } from './PatternNote';
@@ -18,6 +17,8 @@ import { PlacedPieceView } from './PlacedPieceView';
 import { kDraftSeam, Threads, type ShownSeam } from './SeamShapes';
 import { useHands, type Hands } from './useHands';
 import { usePlaneView, type PlaneView } from './usePlaneView';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 /** Where the tool that is held wants other cursors, as the style sheet looks for them. */
 const cursorsOf = ({ cursor = {} }: PatternTool): Record<string, string | undefined> => ({
@@ -31,10 +32,10 @@ export function PatternPane() {
   const pieces = state.pieces.value;
   const tool = toolOf(state.editing.tool.value);
   return (
-    <section class={`pattern${tool.edges ? ' edges-open' : ''}`} style={cursorsOf(tool)} aria-label="Pattern">
-      {pieces === null && <p class="hint">The flat pieces of the garment appear here.</p>}
+    <section class={`pattern${tool.edges ? ' edges-open' : ''}`} style={cursorsOf(tool)} aria-label={t.pattern.title}>
+      {pieces === null && <p class="hint">{t.pattern.appearHere}</p>}
       {pieces?.state === 'loading' && (
-        <div class="skeleton-pieces" role="status" aria-label="Loading the pattern">
+        <div class="skeleton-pieces" role="status" aria-label={t.pattern.loading}>
           <i />
           <i />
           <i />
@@ -43,8 +44,10 @@ export function PatternPane() {
       )}
       {pieces?.state === 'failed' && (
         <div class="pane-error" role="alert">
-          <h3>The pattern cannot be shown</h3>
-          <p>{sentence(pieces.error.detail)}</p>
+          <h3>{t.pattern.cannotShow}</h3>
+          <p>
+            <Told code={pieces.error.code} detail={pieces.error.detail} />
+          </p>
           <p class="code">
             {pieces.error.code}
             {pieces.error.where && <> · {pieces.error.where}</>}
@@ -122,7 +125,7 @@ function Sheet({ pieces, places, tool, plane, hands, seams }: SheetProps) {
       onWheel={plane.wheel}
       onKeyDown={plane.keys}
       {...hands.plane}
-      aria-label={`${places.length} pieces; arrow keys move, plus and minus zoom, F fits`}
+      aria-label={t.pattern.sheet(places.length)}
       role="group"
     >
       <Paper scale={scale} />
@@ -147,14 +150,14 @@ function Sheet({ pieces, places, tool, plane, hands, seams }: SheetProps) {
 
 function ViewButtons({ plane }: { plane: PlaneView }) {
   return (
-    <div class="plane-tools" role="toolbar" aria-label="Pattern view">
-      <button class="tool" title="Zoom out (−)" aria-label="Zoom out" onClick={() => plane.zoom(0.8)}>
+    <div class="plane-tools" role="toolbar" aria-label={t.pattern.view}>
+      <button class="tool" title={t.pattern.zoomOutKey} aria-label={t.pattern.zoomOut} onClick={() => plane.zoom(0.8)}>
         −
       </button>
-      <button class="tool wide" title="Fit all pieces (F)" onClick={plane.fitAll}>
-        Fit
+      <button class="tool wide" title={t.pattern.fitKey} onClick={plane.fitAll}>
+        {t.pattern.fit}
       </button>
-      <button class="tool" title="Zoom in (+)" aria-label="Zoom in" onClick={() => plane.zoom(1.25)}>
+      <button class="tool" title={t.pattern.zoomInKey} aria-label={t.pattern.zoomIn} onClick={() => plane.zoom(1.25)}>
         +
       </button>
     </div>

@@ -4,17 +4,18 @@ import { useCommands } from '../commands/context';
 import { turnsOf } from '../state/editing';
 import { useAppState } from '../state/context';
 import { patternTools } from '../tools/table';
+import { t } from '../texts/language';
 
 export function PatternTools() {
   const { editing } = useAppState();
   return (
-    <div class="pattern-tools" role="toolbar" aria-label="Pattern tools">
+    <div class="pattern-tools" role="toolbar" aria-label={t.pattern.tools}>
       <ToolButtons />
       <span class="tool-group">
         <Turns />
         <LargeButton />
       </span>
-      {editing.busy.value && <span class="spinner" role="status" aria-label="Working" />}
+      {editing.busy.value && <span class="spinner" role="status" aria-label={t.pattern.working} />}
     </div>
   );
 }
@@ -29,10 +30,10 @@ function ToolButtons() {
           key={tool.id}
           class="tool"
           aria-pressed={held === tool.id}
-          title={`${tool.hint} (${tool.key})`}
+          title={`${tool.words().hint} (${tool.key})`}
           onClick={() => pattern.takeTool(tool)}
         >
-          {tool.title}
+          {tool.words().title}
         </button>
       ))}
     </span>
@@ -50,8 +51,8 @@ function Turns() {
       <button
         class="tool flat"
         disabled={!undo || offline}
-        title={undo ? `Undo: ${undo} (Ctrl+Z)` : 'Nothing to undo'}
-        aria-label={undo ? `Undo ${undo}` : 'Undo'}
+        title={undo ? t.pattern.undoTip(undo) : t.pattern.noUndo}
+        aria-label={undo ? t.pattern.undoWhat(undo) : t.pattern.undo}
         onClick={() => void pattern.undo()}
       >
         <Glyph path="M6.2 3L2.8 6.4l3.4 3.4M3 6.4h6.2a3.6 3.6 0 0 1 0 7.2H6" />
@@ -59,8 +60,8 @@ function Turns() {
       <button
         class="tool flat"
         disabled={!redo || offline}
-        title={redo ? `Redo: ${redo} (Ctrl+Shift+Z)` : 'Nothing to redo'}
-        aria-label={redo ? `Redo ${redo}` : 'Redo'}
+        title={redo ? t.pattern.redoTip(redo) : t.pattern.noRedo}
+        aria-label={redo ? t.pattern.redoWhat(redo) : t.pattern.redo}
         onClick={() => void pattern.redo()}
       >
         <Glyph path="M9.8 3l3.4 3.4-3.4 3.4M13 6.4H6.8a3.6 3.6 0 0 0 0 7.2H10" />
@@ -79,8 +80,8 @@ function LargeButton() {
     <button
       class="tool flat"
       aria-pressed={large.value}
-      title={large.value ? 'Small pattern (E)' : 'Large pattern (E)'}
-      aria-label="Large pattern"
+      title={large.value ? t.pattern.smallTip : t.pattern.largeTip}
+      aria-label={t.pattern.large}
       onClick={() => (large.value = !large.value)}
     >
       <Glyph path={large.value ? kShrink : kGrow} />

@@ -6,6 +6,8 @@ import type { Notch, Piece, Point } from '../api/types';
 import { piecePath } from '../state/outline';
 import { boxOf, cssColour, type Box, type PlacedPiece } from '../state/patternGeometry';
 import { patternTransform, type Look } from '../state/texture';
+import { t } from '../texts/language';
+import { patternFigure, patternLength } from '../texts/units';
 
 export interface PieceShapeProps {
   placed: PlacedPiece;
@@ -63,7 +65,7 @@ export function PieceShape(props: PieceShapeProps) {
         tabindex={0}
         role="button"
         aria-pressed={selected}
-        aria-label={`Piece ${piece.id}, ${size}`}
+        aria-label={t.pattern.pieceLabel(piece.id, size)}
         onKeyDown={press}
         fill-rule="evenodd"
         style={{ fill: cssColour(piece.colour) }}
@@ -86,7 +88,7 @@ export function PieceShape(props: PieceShapeProps) {
   );
 }
 
-const sizeText = (box: Box): string => `${Math.round(box.maxX - box.minX)} × ${Math.round(box.maxY - box.minY)} mm`;
+const sizeText = (box: Box): string => `${patternFigure(box.maxX - box.minX, 0)} × ${patternLength(box.maxY - box.minY, 0)}`;
 
 /** The grain's arrow, the name and the size, as far as there is room for them. */
 function Label({ placed, scale }: { placed: PlacedPiece; scale: number }) {

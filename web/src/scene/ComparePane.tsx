@@ -9,12 +9,13 @@ import { grainsOf, mapOf, measured, ofOneScale, type ClothMap, type MapKind } fr
 import { comparedOf, type Compared, type ComparedDrape } from '../state/comparison';
 import { useAppState } from '../state/context';
 import { LiveCloth } from '../state/LiveCloth';
-import { sentence } from '../state/words';
 import type { Pose } from './framing';
 import { Legend, MapSelect } from './MapLegend';
 import { kViews, nudgeByKey, type ScenePaneProps } from './ScenePane';
 import type { SceneView } from './SceneView';
 import { paintByTheme, token } from './theme';
+import { t } from '../texts/language';
+import { Told } from '../texts/Message';
 
 /** The two views, as they come; each takes the pose of the other. */
 class Pair {
@@ -49,14 +50,14 @@ export function ComparePane({ code }: Pick<ScenePaneProps, 'code'>) {
   const maps = useMaps(comparedOf(left.value), comparedOf(right.value), mapKind.value);
   const legend = maps.find((map) => map !== null);
   return (
-    <section class="scene" aria-label="Two drapes">
+    <section class="scene" aria-label={t.scene.twoDrapes}>
       {[left, right].map((side, i) => (
-        <Half key={i} code={code} pair={pair} side={side} map={maps[i]!} name={i === 0 ? 'Left' : 'Right'} />
+        <Half key={i} code={code} pair={pair} side={side} map={maps[i]!} name={i === 0 ? t.scene.left : t.scene.right} />
       ))}
-      <div class="scene-tools" role="toolbar" aria-label="Views">
-        {kViews.map(({ view, title }) => (
-          <button key={view} class="tool" aria-label={`${view} view`} onClick={() => commands.showView(view)}>
-            {title}
+      <div class="scene-tools" role="toolbar" aria-label={t.scene.views}>
+        {kViews.map(({ view }) => (
+          <button key={view} class="tool" aria-label={t.scene.viewNames[view]} onClick={() => commands.showView(view)}>
+            {t.scene.views_[view]}
           </button>
         ))}
         <MapSelect mapKind={mapKind} />
@@ -86,31 +87,31 @@ function Half({ code, pair, side, map, name }: HalfProps) {
           ref={canvas}
           tabIndex={0}
           onKeyDown={(event) => nudgeByKey(event, scene.value)}
-          aria-label={`${name} drape; arrow keys turn both, plus and minus zoom`}
+          aria-label={t.scene.halfHint(name)}
         />
       </div>
       {job && (
         <a class="scene-caption" href={`#/jobs/${job.id}`}>
           <b>{job.name}</b>
-          <span>rev {job.project_revision}</span>
-          <em>Open</em>
+          <span>{t.frame.revision(job.project_revision)}</span>
+          <em>{t.scene.open}</em>
         </a>
       )}
       {now?.state === 'loading' && (
         <div class="scene-message quiet" role="status">
           <span class="spinner" aria-hidden="true" />
-          <p>Fetching the drape…</p>
+          <p>{t.scene.fetching}</p>
         </div>
       )}
       {now?.state === 'failed' && (
         <div class="scene-message" role="alert">
-          <h2>This drape cannot be shown</h2>
+          <h2>{t.scene.cannotShow}</h2>
           <p>
-            {sentence(now.error.detail)} <span class="code">{now.error.code}</span>
+            <Told code={now.error.code} detail={now.error.detail} /> <span class="code">{now.error.code}</span>
           </p>
         </div>
       )}
-      {failed.value && <p class="scene-message">This browser could not open WebGL 2: {failed.value}</p>}
+      {failed.value && <p class="scene-message">{t.scene.noWebgl} {failed.value}</p>}
     </div>
   );
 }

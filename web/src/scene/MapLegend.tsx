@@ -2,7 +2,8 @@
 
 import type { Signal } from '@preact/signals';
 import { useAppState } from '../state/context';
-import { bandEnds, bandOf, kBands, kMaps, valueText, type ClothMap, type MapKind } from '../state/clothMaps';
+import { bandEnds, bandFigure, bandOf, kBands, kMaps, mapUnit, valueText, type ClothMap, type MapKind } from '../state/clothMaps';
+import { t } from '../texts/language';
 
 /** Only where there is cloth of a drape. */
 export function MapChoice() {
@@ -17,15 +18,15 @@ export function MapSelect({ mapKind }: { mapKind: Signal<MapKind | null> }) {
       <span class="tool-gap" />
       <select
         class="tool map-choice"
-        aria-label="Colour the cloth by"
-        title="Colour the cloth by (X)"
+        aria-label={t.scene.colourBy}
+        title={t.scene.colourByKey}
         value={mapKind.value ?? ''}
         onChange={(event) => (mapKind.value = (event.currentTarget.value || null) as MapKind | null)}
       >
-        <option value="">Cloth</option>
+        <option value="">{t.scene.cloth}</option>
         {(Object.keys(kMaps) as MapKind[]).map((kind) => (
           <option key={kind} value={kind}>
-            {kMaps[kind].title}
+            {t.scene.maps[kind].title}
           </option>
         ))}
       </select>
@@ -41,23 +42,23 @@ export function MapLegend() {
 }
 
 export function Legend({ map, pointed }: { map: ClothMap; pointed: number }) {
-  const { title, unit, words } = kMaps[map.kind];
+  const { title, words } = t.scene.maps[map.kind];
   const ends = bandEnds(map);
   const lit = Number.isFinite(pointed) ? bandOf(map, pointed) : -1;
   return (
     <figure class="map-legend" aria-label={`${title}: ${words}`}>
       <figcaption>
-        {title} <b>{Number.isFinite(pointed) ? valueText(map, pointed) : unit}</b>
+        {title} <b>{Number.isFinite(pointed) ? valueText(map, pointed) : mapUnit(map.kind)}</b>
       </figcaption>
       <ol>
         {kBands.map((colour, i) => (
           <li key={colour} class={i === lit ? 'lit' : ''}>
             <i style={{ background: colour }} aria-hidden="true" />
-            <span>{figure(ends[i]!)}</span>
+            <span>{bandFigure(map.kind, ends[i]!)}</span>
           </li>
         ))}
         <li class="end">
-          <span>{figure(ends[ends.length - 1]!)}</span>
+          <span>{bandFigure(map.kind, ends[ends.length - 1]!)}</span>
         </li>
       </ol>
       <small>{words}</small>
@@ -65,5 +66,4 @@ export function Legend({ map, pointed }: { map: ClothMap; pointed: number }) {
   );
 }
 
-/** "−0.75", "10": no more digits than bands need. */
-const figure = (value: number): string => String(Math.round(100 * value) / 100).replace('-', '−');
+

@@ -8,17 +8,18 @@ import { useCommands } from '../commands/context';
 import type { AppState, View } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { activity, isActive, overall, placeInQueue } from '../state/jobs';
-import { counted, percent } from '../state/words';
+import { capital, percent } from '../state/words';
 import { sceneTools } from '../tools/table';
 import { paintByTheme, token } from './theme';
 import { MapChoice, MapLegend } from './MapLegend';
 import type { SceneView } from './SceneView';
+import { t } from '../texts/language';
 
-export const kViews: { view: View; title: string; key: string }[] = [
-  { view: 'front', title: 'Front', key: '1' },
-  { view: 'back', title: 'Back', key: '2' },
-  { view: 'side', title: 'Side', key: '3' },
-  { view: 'three-quarter', title: '¾', key: '4' },
+export const kViews: { view: View; key: string }[] = [
+  { view: 'front', key: '1' },
+  { view: 'back', key: '2' },
+  { view: 'side', key: '3' },
+  { view: 'three-quarter', key: '4' },
 ];
 
 const kNudges: Record<string, [number, number, number]> = {
@@ -76,17 +77,17 @@ function useScene({ code, drawn }: ScenePaneProps) {
 export function ScenePane(props: ScenePaneProps) {
   const { canvas, scene, failed } = useScene(props);
   return (
-    <section class="scene" aria-label="3D view">
+    <section class="scene" aria-label={t.scene.title}>
       <div class="scene-canvas">
         <canvas
           ref={canvas}
           tabIndex={0}
           onKeyDown={(event) => nudgeByKey(event, scene.current)}
-          aria-label="Body and cloth; arrow keys turn, plus and minus zoom"
+          aria-label={t.scene.canvas}
         />
       </div>
       {failed.value ? (
-        <Message title="No 3D here" text={`This browser could not open WebGL 2: ${failed.value}`} />
+        <Message title={t.scene.no3d} text={t.scene.noWebglBecause(failed.value)} />
       ) : (
         (props.told ?? <Overlay />)
       )}
@@ -102,21 +103,21 @@ function ViewTools() {
   const { bodyShown, meshShown } = useAppState();
   const commands = useCommands();
   return (
-    <div class="scene-tools" role="toolbar" aria-label="Views">
-      {kViews.map(({ view, title, key }) => (
+    <div class="scene-tools" role="toolbar" aria-label={t.scene.views}>
+      {kViews.map(({ view, key }) => (
         <button
           key={view}
           class="tool"
           onClick={() => commands.showView(view)}
-          title={`${title} view (${key})`}
-          aria-label={`${view} view`}
+          title={`${capital(t.scene.viewNames[view])} (${key})`}
+          aria-label={t.scene.viewNames[view]}
         >
-          {title}
+          {t.scene.views_[view]}
         </button>
       ))}
       <span class="tool-gap" />
-      <Toggle on={bodyShown.value} title="Body (B)" label="Body" flip={() => (bodyShown.value = !bodyShown.value)} />
-      <Toggle on={meshShown.value} title="Mesh (M)" label="Mesh" flip={() => (meshShown.value = !meshShown.value)} />
+      <Toggle on={bodyShown.value} title={t.scene.bodyKey} label={t.scene.body} flip={() => (bodyShown.value = !bodyShown.value)} />
+      <Toggle on={meshShown.value} title={t.scene.meshKey} label={t.scene.mesh} flip={() => (meshShown.value = !meshShown.value)} />
       <MapChoice />
     </div>
   );
@@ -201,7 +202,7 @@ function Caption({ job }: { job: Job }) {
         <i class="dot" aria-hidden="true" />
         {isActive(job.state) ? `${doing} · ${percent(done, 0)}` : doing}
       </span>
-      <em>Open</em>
+      <em>{t.scene.open}</em>
     </a>
   );
 }
@@ -217,8 +218,8 @@ function WithoutCloth({ job }: { job: Job }) {
       </div>
     );
   }
-  if (job.state === 'failed') return <Ended title="This drape failed" text="Its pieces stand where it began." />;
-  if (job.state === 'cancelled') return <Ended title="Cancelled" text="Its pieces stand where it began." />;
+  if (job.state === 'failed') return <Ended title={t.scene.failed} text={t.scene.whereBegan} />;
+  if (job.state === 'cancelled') return <Ended title={t.scene.cancelled} text={t.scene.whereBegan} />;
   return null;
 }
 
@@ -228,9 +229,9 @@ function Older() {
   const commands = useCommands();
   return (
     <div class="scene-message strip" role="status">
-      <p>The project has changed since this drape.</p>
+      <p>{t.scene.changed}</p>
       <button class="plain" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
-        Drape again
+        {t.common.drapeAgain}
       </button>
     </div>
   );
@@ -245,7 +246,7 @@ function Ended({ title, text }: { title: string; text: string }) {
       <p>{text}</p>
       {tab.value !== 'drape' && (
         <button class="plain" onClick={() => (tab.value = 'drape')}>
-          Why
+          {t.scene.why}
         </button>
       )}
     </div>
@@ -253,8 +254,8 @@ function Ended({ title, text }: { title: string; text: string }) {
 }
 
 function Waiting({ ahead }: { ahead: number }) {
-  const next = 'It is next; a worker takes it as soon as one is free.';
-  return <Message title="In the queue" text={ahead === 0 ? next : `${counted(ahead, 'drape')} before it.`} />;
+  const next = t.scene.next;
+  return <Message title={t.scene.inQueue} text={ahead === 0 ? next : t.scene.before(ahead)} />;
 }
 
 function NotDraped() {
@@ -262,11 +263,11 @@ function NotDraped() {
   const commands = useCommands();
   return (
     <Message
-      title="Not draped yet"
-      text={state.dressing.start.value ? '' : 'The pieces are read and ready. A drape sews them around the body.'}
+      title={t.common.notDraped}
+      text={state.dressing.start.value ? '' : t.scene.readyToDrape}
     >
       <button class="primary" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
-        Start drape <kbd>Space</kbd>
+        {t.common.startDrape} <kbd>{t.keys.names.Space}</kbd>
       </button>
     </Message>
   );

@@ -4,13 +4,12 @@
 import type { ClothTopology } from '../api/frames';
 import type { Piece, Point } from '../api/types';
 import type { BodySurface } from './BodySurface';
+import { fixed, plain } from '../texts/numbers';
+import { patternDigits, patternSign, shownMm } from '../texts/units';
 
 export type MapKind = 'warp' | 'weft' | 'shear' | 'room';
 
 export interface MapRule {
-  title: string;
-  /** What the button that chooses it says. */
-  short: string;
   unit: string;
   /** Ends of the scale that may be taken, in the unit; the smallest that holds nearly all of the cloth is. */
   ends: readonly number[];
@@ -18,45 +17,32 @@ export interface MapRule {
   signed: boolean;
   /** Small values are red: where cloth is near to the body it is tight. */
   smallIsRed: boolean;
-  words: string;
 }
 
 export const kMaps: Record<MapKind, MapRule> = {
   warp: {
-    title: 'Stretch along the warp',
-    short: 'Warp',
     unit: '%',
     ends: [1, 2, 4, 8, 20, 40],
     signed: true,
     smallIsRed: false,
-    words: 'Red is stretched, blue is pushed together.',
   },
   weft: {
-    title: 'Stretch along the weft',
-    short: 'Weft',
     unit: '%',
     ends: [1, 2, 4, 8, 20, 40],
     signed: true,
     smallIsRed: false,
-    words: 'Red is stretched, blue is pushed together.',
   },
   shear: {
-    title: 'Shear',
-    short: 'Shear',
     unit: '°',
     ends: [2, 4, 8, 16, 40],
     signed: false,
     smallIsRed: false,
-    words: 'How far warp and weft are from a right angle.',
   },
   room: {
-    title: 'Room to the body',
-    short: 'Room',
     unit: 'mm',
     ends: [8, 16, 40, 80, 160],
     signed: false,
     smallIsRed: true,
-    words: 'Red lies on the body, blue hangs free.',
   },
 };
 
@@ -110,8 +96,21 @@ export function bandEnds(map: ClothMap): number[] {
   return kMaps[map.kind].smallIsRed ? ends.reverse() : ends;
 }
 
+/** What a map's figures are in: room is a length, in the unit that was chosen. */
+export const mapUnit = (kind: MapKind): string => (kMaps[kind].unit === 'mm' ? patternSign() : kMaps[kind].unit);
+
+const inUnit = (kind: MapKind, value: number): number => (kMaps[kind].unit === 'mm' ? shownMm(value) : value);
+
+/** "−0.75", "10": no more digits than bands need. */
+export const bandFigure = (kind: MapKind, value: number): string => plain(inUnit(kind, value)).replace('-', '−');
+
+function shownIn(kind: MapKind, value: number): string {
+  const digits = kMaps[kind].unit === 'mm' ? patternDigits(1) : 1;
+  return fixed(inUnit(kind, value), digits).replace('-', '−');
+}
+
 export const valueText = (map: Pick<ClothMap, 'kind'>, value: number): string =>
-  Number.isFinite(value) ? `${value.toFixed(1).replace('-', '−')} ${kMaps[map.kind].unit}` : '–';
+  Number.isFinite(value) ? `${shownIn(map.kind, value)} ${mapUnit(map.kind)}` : '–';
 
 /** Of a strained triangle: both directions' lengths for 1, and the angle that is missing between them, degrees. */
 interface Strained {

@@ -6,9 +6,11 @@ import type { ClothTopology } from '../api/frames';
 import type { ApiError } from '../api/http';
 import type { Job, Piece, Report } from '../api/types';
 import { fitRows } from './fit';
-import type { LengthUnit } from './dressing';
-import { count, duration, percent } from './words';
+import { stopText } from './report';
+import { count, duration, inSentence, percent, seconds } from './words';
+import { lengthWords, type LengthUnit } from '../texts/units';
 import type { MapKind } from './clothMaps';
+import { t } from '../texts/language';
 
 /** How a drape ended, whole. */
 export interface ComparedDrape {
@@ -57,18 +59,18 @@ export interface ComparisonRow {
 const kNothing = '–';
 
 type Tell = (report: Report) => string;
-const kFigures: [title: string, tell: Tell][] = [
-  ['Ending', ({ settled, stop_reason }) => (settled ? 'settled' : stop_reason)],
-  ['Worn', ({ worn }) => ({ yes: 'yes', partly: 'in part', no: 'no' })[worn ?? 'yes'] ?? kNothing],
-  ['Intersections', ({ intersections: { cloth_body, cloth_cloth } }) => count(cloth_body + cloth_cloth)],
-  ['Stretch, warp', ({ strain: { warp } }) => percent((warp.tension ?? warp).p99)],
-  ['Stretch, weft', ({ strain: { weft } }) => percent((weft.tension ?? weft).p99)],
-  ['Shear', ({ strain: { shear } }) => percent(shear.p99)],
-  ['Lowest point', ({ lowest_m }) => `${(100 * lowest_m).toFixed(1)} cm`],
-  ['Highest point', ({ highest_m }) => `${(100 * highest_m).toFixed(1)} cm`],
-  ['Particles', ({ particles }) => count(particles)],
-  ['Came to rest at', ({ simulated_s }) => `${simulated_s.toFixed(2)} s`],
-  ['Computed in', ({ cpu_s }) => duration(cpu_s)],
+const figuresTold = (unit: LengthUnit): [title: string, tell: Tell][] => [
+  [t.report.lines.ending, ({ settled, stop_reason }) => (settled ? t.report.compared.settled : stopText(stop_reason))],
+  [t.report.lines.worn, ({ worn }) => t.report.wornWords[worn ?? 'yes'] ?? kNothing],
+  [t.report.lines.intersections, ({ intersections: { cloth_body, cloth_cloth } }) => count(cloth_body + cloth_cloth)],
+  [t.report.compared.warp, ({ strain: { warp } }) => percent((warp.tension ?? warp).p99)],
+  [t.report.compared.weft, ({ strain: { weft } }) => percent((weft.tension ?? weft).p99)],
+  [t.report.compared.shear, ({ strain: { shear } }) => percent(shear.p99)],
+  [t.report.compared.lowest, ({ lowest_m }) => lengthWords(100 * lowest_m, unit)],
+  [t.report.compared.highest, ({ highest_m }) => lengthWords(100 * highest_m, unit)],
+  [t.report.compared.particles, ({ particles }) => count(particles)],
+  [t.report.compared.rest, ({ simulated_s }) => seconds(simulated_s, 2)],
+  [t.report.compared.computed, ({ cpu_s }) => duration(cpu_s)],
 ];
 
 /** How many of them tell how it ended; what is of the fit comes after those. */
@@ -77,14 +79,14 @@ const kEnding = 3;
 /** All figures of both, and the ease at every girth that one of them has; a figure that one lacks is "–". */
 export function comparisonRows(left: Report | null, right: Report | null, unit: LengthUnit): ComparisonRow[] {
   const row = (title: string, a: string, b: string): ComparisonRow => ({ title, left: a, right: b, differs: a !== b });
-  const figures = kFigures.map(([title, tell]) =>
+  const figures = figuresTold(unit).map(([title, tell]) =>
     row(title, left ? tell(left) : kNothing, right ? tell(right) : kNothing),
   );
   const [fitLeft, fitRight] = [left, right].map((report) => (report ? fitRows(report, unit) : []));
   const places = new Map([...fitLeft!, ...fitRight!].map(({ at, title }) => [at, title]));
   const ease = [...places].map(([at, title]) => {
     const of = (rows: typeof fitLeft): string => rows!.find((one) => one.at === at)?.ease ?? kNothing;
-    return row(`Ease, ${title.charAt(0).toLowerCase()}${title.slice(1)}`, of(fitLeft), of(fitRight));
+    return row(t.report.compared.ease(inSentence(title)), of(fitLeft), of(fitRight));
   });
   return [...figures.slice(0, kEnding), ...ease, ...figures.slice(kEnding)];
 }

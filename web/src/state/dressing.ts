@@ -20,11 +20,12 @@ import type {
 } from '../api/dressing';
 import type { ApiError } from '../api/http';
 import type { SeamSides } from '../api/types';
-import { kept } from './kept';
+import { unit, type LengthUnit } from '../texts/units';
 import { PerProject } from './PerProject';
 import { seamTitle } from './seamView';
+import { t } from '../texts/language';
 
-export type LengthUnit = 'cm' | 'inch';
+
 
 /** Kinds of marks on the body. */
 export interface Marks {
@@ -58,7 +59,7 @@ export class DressingState extends PerProject {
   readonly placeProblem: Signal<ApiError | null> = this.perProject(null);
   /** The body whose measures are shown, by its place in the list. */
   readonly shown: Signal<number> = this.perProject(0);
-  readonly unit: Signal<LengthUnit> = signal(kept('unit') === 'inch' ? 'inch' : 'cm');
+  readonly unit: Signal<LengthUnit> = unit;
   readonly marks: Signal<Marks> = signal({ tape: true, landmarks: false, boxes: false });
   /** Whether the mirror image of a piece that is placed by hand goes along, on the other side. */
   readonly partners: Signal<boolean> = signal(true);
@@ -70,35 +71,34 @@ export class DressingState extends PerProject {
   readonly finding: Signal<{ finding: Finding; turn: number } | null> = this.perProject(null);
 }
 
-// ---- lengths
+// ---- names
 
-const kCmPerInch = 2.54;
 
-export const shownLength = (cm: number, unit: LengthUnit): number => (unit === 'cm' ? cm : cm / kCmPerInch);
-export const centimetres = (shown: number, unit: LengthUnit): number => (unit === 'cm' ? shown : shown * kCmPerInch);
-export const lengthWords = (cm: number, unit: LengthUnit): string =>
-  unit === 'cm' ? `${cm.toFixed(1)} cm` : `${(cm / kCmPerInch).toFixed(2)} in`;
+
+
 
 /** "shoulder_width" → "Shoulder width". */
 export function measureTitle(name: string): string {
+  const known = (t.names.measures as Record<string, string>)[name];
+  if (known) return known;
   const words = name.replaceAll('_', ' ');
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 // ---- mannequins
 
-const kSexNames: Record<Sex, string> = { female: 'Women', male: 'Men', child: 'Children' };
+const kSexes: readonly Sex[] = ['female', 'male', 'child'];
 
 /** "eu38" → "EU 38", "m50" → "Men 50", "child116" → "116 cm". */
 export function presetTitle(name: string): string {
   const number = name.replace(/^\D+/, '');
   if (name.startsWith('eu')) return `EU ${number}`;
-  return name.startsWith('child') ? `Child ${number}` : `Men ${number}`;
+  return name.startsWith('child') ? t.names.childSize(number) : t.names.menSize(number);
 }
 
 export function presetGroups(presets: BodyPreset[]): { title: string; presets: BodyPreset[] }[] {
-  return (Object.keys(kSexNames) as Sex[])
-    .map((sex) => ({ title: kSexNames[sex], presets: presets.filter((preset) => preset.sex === sex) }))
+  return kSexes
+    .map((sex) => ({ title: t.names.sexes[sex], presets: presets.filter((preset) => preset.sex === sex) }))
     .filter((group) => group.presets.length > 0);
 }
 
@@ -191,7 +191,7 @@ export function pieceOf(finding: Finding, pieces: string[]): string | null {
 /** What a finding is about, as a person calls it: seams by the pieces that they join. Empty where nothing is named. */
 export function aboutText({ about }: Finding, seams: readonly SeamSides[]): string {
   const named = about.filter(({ thing }) => thing !== 'body');
-  return named.map(({ thing, id }) => (thing === 'seam' ? `seam ${seamTitle(seams, id)}` : `${thing} ${id}`)).join(', ');
+  return named.map(({ thing, id }) => (thing === 'seam' ? `${t.names.things.seam} ${seamTitle(seams, id)}` : `${t.names.things[thing]} ${id}`)).join(', ');
 }
 
 // ---- places

@@ -8,6 +8,7 @@ import type { Loaded } from './AppState';
 import { jointsOf } from './outline';
 import { PerProject } from './PerProject';
 import { emptyDraft, type SeamDraft } from './seamView';
+import { t } from '../texts/language';
 
 /** What has to be known of a tool of the 2D view to take it; the tools themselves stand in tools/. */
 export interface ToolFacts {
@@ -50,48 +51,13 @@ export class EditingState extends PerProject {
   readonly offsets: Signal<ReadonlyMap<string, Point>> = this.perProject(new Map());
 }
 
-const kWords: Record<string, string> = {
-  move_point: 'Move point',
-  move_handle: 'Move handle',
-  insert_point: 'Insert point',
-  delete_point: 'Delete point',
-  split_edge: 'Split edge',
-  join_edges: 'Join edges',
-  straighten_edge: 'Straighten',
-  bend_edge: 'Make a curve',
-  set_edge_length: 'Set length',
-  mirror_piece: 'Mirror piece',
-  rotate_grain: 'Turn grain',
-  add_line: 'Draw line',
-  remove_line: 'Remove line',
-  add_notch: 'Mark with a notch',
-  move_notch: 'Move notch',
-  remove_notch: 'Remove notch',
-  add_dart: 'Add dart',
-  add_inner_dart: 'Add dart',
-  rename_edge: 'Rename edge',
-  remove_dart: 'Remove dart',
-  add_hole: 'Cut hole',
-  remove_hole: 'Fill hole',
-  move_piece: 'Move piece',
-  rename_piece: 'Rename piece',
-  duplicate_piece: 'Duplicate piece',
-  delete_piece: 'Delete piece',
-  add_seam: 'Add seam',
-  remove_seam: 'Remove seam',
-  reverse_seam: 'Reverse seam',
-  set_fabric: 'Change fabric',
-  set_texture: 'Change picture',
-  set_physical: 'Change cloth',
-  set_solver: 'Change solver',
-  set_max_time: 'Change time of the drape',
-};
+
 
 /** A step that changes lists of the document as a whole: who makes it says no more than which. */
 function restoreText(edit: Edit): string {
-  if ('bodies' in edit) return 'Change body';
-  if ('seams' in edit) return 'Change seams';
-  return 'pieces' in edit ? 'Place pieces' : 'Change project';
+  if ('bodies' in edit) return t.edits.change.bodies;
+  if ('seams' in edit) return t.edits.change.seams;
+  return 'pieces' in edit ? t.edits.change.pieces : t.edits.change.other;
 }
 
 const kKeepTheShape: ReadonlySet<string> = new Set([
@@ -119,11 +85,11 @@ export function keepsTheShape(edit: Edit): boolean {
 /** A step of the history in a few words. */
 export function stepText(edits: readonly Edit[]): string {
   const first = edits[0];
-  if (!first) return 'Nothing';
+  if (!first) return t.edits.nothing;
   if (first.edit === 'restore') return restoreText(first);
-  const words = kWords[first.edit] ?? first.edit.replace(/_/g, ' ');
+  const words = (t.edits.kinds as Record<string, string>)[first.edit] ?? first.edit.replace(/_/g, ' ');
   const same = edits.every((edit) => edit.edit === first.edit);
-  if (edits.length > 1) return same ? `${words} × ${edits.length}` : `${words} and ${edits.length - 1} more`;
+  if (edits.length > 1) return same ? `${words} × ${edits.length}` : t.edits.andMore(words, edits.length - 1);
   const on: Record<string, unknown> = { ...first };
   const what = [on.piece, on.edge ?? on.seam ?? on.line].filter((word) => typeof word === 'string');
   return what.length > 0 ? `${words}, ${what.join(' · ')}` : words;

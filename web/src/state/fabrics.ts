@@ -1,6 +1,8 @@
 // Fabrics of the library as a person chooses them: what they are, how they fall and give, and which fit some words. Pure.
 
 import type { Fabric } from '../api/types';
+import { fixed, plain } from '../texts/numbers';
+import { t } from '../texts/language';
 
 const kGravity = 9.81;
 /** N/m, at which the tensile test of the KES ends: firmly pulled. */
@@ -35,10 +37,10 @@ export function stiffness(fabric: Fabric): number {
   return Math.min(1, Math.max(0, (length - kSoftest) / (kStiffest - kSoftest)));
 }
 
-const kHands = ['flows', 'soft', 'has body', 'firm', 'stands'] as const;
+const kHands = ['flows', 'soft', 'body', 'firm', 'stands'] as const;
 
 /** The hand in a word. */
-export const handOf = (fabric: Fabric): string => kHands[Math.min(4, Math.floor(5 * stiffness(fabric)))]!;
+export const handOf = (fabric: Fabric): string => t.fabric.hands[kHands[Math.min(4, Math.floor(5 * stiffness(fabric)))]!];
 
 export type Weave = 'plain' | 'twill' | 'satin' | 'knit' | 'net' | 'felt';
 
@@ -88,27 +90,27 @@ export interface Figure {
 }
 
 const pair = (warp: number, weft: number, digits: number, unit: string): string =>
-  `${warp.toFixed(digits)} / ${weft.toFixed(digits)} ${unit}`;
+  `${fixed(warp, digits)} / ${fixed(weft, digits)} ${unit}`;
 
 /** What a card says of it, warp before weft. */
 export function figuresOf(fabric: Fabric): Figure[] {
   const { areal_mass_g_m2: mass, thickness_mm, bend_warp_un_m, bend_weft_un_m } = fabric;
   const { stretch_warp, stretch_weft, drape_least_percent: least, drape_most_percent: most } = fabric;
   const figures = [
-    { label: 'Mass', value: `${mass} g/m²` },
-    { label: 'Thickness', value: `${thickness_mm} mm` },
-    { label: 'Bending length', value: pair(bendingLength(bend_warp_un_m, mass), bendingLength(bend_weft_un_m, mass), 0, 'mm') },
-    { label: 'Gives when pulled', value: pair(giveOf(stretch_warp), giveOf(stretch_weft), 0, '%') },
+    { label: t.fabric.mass, value: `${mass} g/m²` },
+    { label: t.fabric.thickness, value: `${plain(thickness_mm)} mm` },
+    { label: t.fabric.bendingLength, value: pair(bendingLength(bend_warp_un_m, mass), bendingLength(bend_weft_un_m, mass), 0, 'mm') },
+    { label: t.fabric.gives, value: pair(giveOf(stretch_warp), giveOf(stretch_weft), 0, '%') },
   ];
-  if (least !== undefined && most !== undefined) figures.push({ label: 'Drape coefficient', value: `${least}–${most} %` });
+  if (least !== undefined && most !== undefined) figures.push({ label: t.fabric.drapeCoefficient, value: `${least}–${most} %` });
   return figures;
 }
 
 /** How many of its figures were measured, in words. */
 export function originOf({ sources }: Fabric): string {
   const measured = sources.filter((source) => 'source' in source && source.source !== undefined).length;
-  if (measured === 0) return 'All figures are estimated from cloth of its kind.';
-  return measured === sources.length ? 'All figures are published.' : 'Some figures are published, others estimated.';
+  if (measured === 0) return t.fabric.estimated;
+  return measured === sources.length ? t.fabric.published : t.fabric.mixed;
 }
 
 export type Kind = 'all' | 'woven' | 'knit' | 'other';

@@ -1,8 +1,10 @@
 // How a worn garment fits: a row of the fit table for each girth of the report. Pure.
 
 import type { Report } from '../api/types';
-import { lengthWords, measureTitle, type LengthUnit } from './dressing';
+import { measureTitle } from './dressing';
+import { lengthWords, type LengthUnit } from '../texts/units';
 import type { Verdict } from './report';
+import { t } from '../texts/language';
 
 export interface FitRow {
   at: string;
@@ -10,6 +12,8 @@ export interface FitRow {
   body: string;
   garment: string;
   ease: string;
+  /** As the report has it. */
+  fit: Girth['fit'];
   verdict: Verdict;
   /** What the row comes to: "fits", "2.1 cm too tight", "stretched". */
   word: string;
@@ -27,20 +31,20 @@ const signed = (cm: number, unit: LengthUnit): string => (cm < 0 ? '−' : '+') 
 /** "thigh_left" → "Thigh, left". */
 function girthTitle(at: string): string {
   const sided = /^(.*)_(left|right)$/.exec(at);
-  return sided ? `${measureTitle(sided[1]!)}, ${sided[2]}` : measureTitle(at);
+  return sided ? `${measureTitle(sided[1]!)}, ${t.names.sides[sided[2] as 'left' | 'right']}` : measureTitle(at);
 }
 
 function word({ fit, tight_by_mm }: Girth, unit: LengthUnit): string {
-  if (fit === 'too_tight') return `${lengthWords(tight_by_mm / 10, unit)} too tight`;
-  return fit === 'stretched' ? 'stretched' : 'fits';
+  if (fit === 'too_tight') return t.report.fit.tooTight(lengthWords(tight_by_mm / 10, unit));
+  return fit === 'stretched' ? t.report.fit.stretched : t.report.fit.fits;
 }
 
 function hint({ fit, shifted_mm, worn_mm }: Girth, unit: LengthUnit): string {
   const parts: string[] = [];
-  if (fit === 'stretched') parts.push('Narrower than the body; the cloth gives without pressing.');
+  if (fit === 'stretched') parts.push(t.report.fit.narrower);
   if (Math.abs(shifted_mm) > kElsewhere)
-    parts.push(`Measured ${lengthWords(Math.abs(shifted_mm) / 10, unit)} ${shifted_mm > 0 ? 'above' : 'below'}, where the garment goes around.`);
-  parts.push(`Worn it measures ${lengthWords(worn_mm / 10, unit)}.`);
+    parts.push((shifted_mm > 0 ? t.report.fit.above : t.report.fit.below)(lengthWords(Math.abs(shifted_mm) / 10, unit)));
+  parts.push(t.report.fit.wornMeasures(lengthWords(worn_mm / 10, unit)));
   return parts.join(' ');
 }
 
@@ -52,6 +56,7 @@ export function fitRows({ fit }: Pick<Report, 'fit'>, unit: LengthUnit): FitRow[
     body: lengthWords(girth.body_mm / 10, unit),
     garment: lengthWords(girth.garment_mm / 10, unit),
     ease: signed(girth.ease_mm / 10, unit),
+    fit: girth.fit,
     verdict: girth.fit === 'fits' ? 'good' : girth.fit === 'stretched' ? 'plain' : 'warn',
     word: word(girth, unit),
     hint: hint(girth, unit),

@@ -15,6 +15,8 @@ import type {
 import type { GivenFile, LoosePattern } from './intake';
 import type { Loaded } from './AppState';
 import { stem } from './words';
+import { count as countOf } from '../texts/numbers';
+import { t } from '../texts/language';
 
 export type BodyChoice =
   | { kind: 'mannequin'; preset: string }
@@ -178,7 +180,7 @@ export function piecesDrawn(report: Import): Piece[] {
 
 /** How sure the unit is, in a word. */
 export const sureness = (confidence: number): string =>
-  confidence >= 0.9 ? 'sure' : confidence >= 0.6 ? 'likely' : 'a guess';
+  confidence >= 0.9 ? t.imports.sure : confidence >= 0.6 ? t.imports.likely : t.imports.guess;
 
 export interface CountShare {
   fate: ImportedEntity['fate'];
@@ -194,7 +196,6 @@ export interface Accounts {
   whole: boolean;
 }
 
-const grouped = new Intl.NumberFormat('en');
 
 /** The report's counts, added up. */
 export function accountsOf(report: Import['report']): Accounts {
@@ -204,21 +205,21 @@ export function accountsOf(report: Import['report']): Accounts {
   const entities = shares.reduce((sum, share) => sum + share.count, 0);
   const { counts } = report;
   if (counts.records === undefined) {
-    const parts = Object.entries(counts).map(([name, count]) => `${grouped.format(count)} ${name}`);
+    const parts = Object.entries(counts).map(([name, count]) => `${countOf(count)} ${name}`);
     return { shares, entities, sum: parts.join(', '), whole: true };
   }
   const { records = 0, vertices = 0, structure = 0, elsewhere = 0 } = counts;
   const parts = [
     [entities, 'entities'],
     [vertices, 'vertices'],
-    [structure, 'of structure'],
-    [elsewhere, 'in tables and objects'],
+    [structure, 'structure'],
+    [elsewhere, 'elsewhere'],
   ] as const;
-  const text = parts.filter(([count]) => count > 0).map(([count, name]) => `${grouped.format(count)} ${name}`);
+  const text = parts.filter(([count]) => count > 0).map(([count, name]) => `${countOf(count)} ${t.imports.ofRecords[name]}`);
   return {
     shares,
     entities,
-    sum: `${grouped.format(records)} records: ${text.join(', ')}`,
+    sum: t.imports.records(records, text.join(', ')),
     whole: records === entities + vertices + structure + elsewhere && entities === counts.entities,
   };
 }
@@ -251,5 +252,5 @@ export function linesText(lines: readonly number[], most = 4): string {
   const known = lines.filter((line) => line > 0);
   if (known.length === 0) return '';
   const shown = known.slice(0, most).join(', ');
-  return `line${known.length > 1 ? 's' : ''} ${shown}${known.length > most ? ` and ${known.length - most} more` : ''}`;
+  return t.imports.lines(known.length, shown, known.length - most);
 }

@@ -2,6 +2,7 @@
 // missing and how to get on. Pure but for reading the files' text.
 
 import { hasEnding, kPictureEndings } from '../api/formats';
+import { t } from '../texts/language';
 
 export interface GivenFile {
   /** Name without folders. */
@@ -79,7 +80,7 @@ const isSpecification = (value: Record<string, unknown>): boolean =>
 
 async function readJson(file: GivenFile, problems: IntakeProblem[]): Promise<ReadJson> {
   if (file.blob.size > kLargestDocument) {
-    problems.push({ code: 'json.too_large', text: 'A project document has at most 4 MiB.', where: file.name });
+    problems.push({ code: 'json.too_large', text: t.intake.problems.documentSize, where: file.name });
     return { document: null, specification: false };
   }
   try {
@@ -88,19 +89,19 @@ async function readJson(file: GivenFile, problems: IntakeProblem[]): Promise<Rea
     if (isObject(value) && isSpecification(value)) return { document: null, specification: true };
     problems.push({
       code: 'project.format',
-      text: 'This JSON file is neither a Toile project (it has no key "toile") nor a GarmentCode specification.',
+      text: t.intake.problems.format,
       where: file.name,
     });
   } catch (error) {
-    problems.push({ code: 'json.malformed', text: `Not valid JSON: ${(error as Error).message}`, where: file.name });
+    problems.push({ code: 'json.malformed', text: t.intake.problems.json((error as Error).message), where: file.name });
   }
   return { document: null, specification: false };
 }
 
 function problemsOfFile({ name, blob }: GivenFile, meshes: readonly string[] | null): IntakeProblem[] {
-  if (blob.size > kLargestFile) return [{ code: 'file.too_large', text: 'Files have at most 64 MiB.', where: name }];
+  if (blob.size > kLargestFile) return [{ code: 'file.too_large', text: t.intake.problems.fileSize, where: name }];
   if (isDxf(name) || isJson(name) || isPicture(name) || isMesh(name, meshes)) return [];
-  const text = 'Neither a project (.json), a pattern (.dxf, .json), a body (.obj, .glb, …) nor a picture (.png, .jpg).';
+  const text = t.intake.problems.kind;
   return [{ code: 'file.kind', text, where: name }];
 }
 
@@ -118,7 +119,7 @@ export async function planIntake(
   if (documents.length > 1) {
     problems.push({
       code: 'project.several',
-      text: 'One project at a time: leave one document away.',
+      text: t.intake.problems.several,
       where: documents.map((d) => d.name).join(', '),
     });
   }

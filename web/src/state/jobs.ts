@@ -1,30 +1,13 @@
 // Facts about jobs that several panels need. Pure.
 
 import type { Job, JobState, Progress } from '../api/types';
+import { t } from '../texts/language';
 
 export const isActive = (state: JobState): boolean => state === 'queued' || state === 'running' || state === 'paused';
 
-export const stateNames: Record<JobState, string> = {
-  queued: 'Queued',
-  running: 'Running',
-  paused: 'Paused',
-  succeeded: 'Done',
-  failed: 'Failed',
-  cancelled: 'Cancelled',
-};
+export const stateName = (state: JobState): string => t.drape.states[state];
 
-const phaseNames: Record<string, string> = {
-  queued: 'Waiting for a worker',
-  mesh: 'Meshing the pieces',
-  place: 'Placing the pieces',
-  dress: 'Putting the garment on',
-  sew: 'Sewing',
-  drape: 'Draping',
-  check: 'Checking',
-  stills: 'Taking the stills',
-};
-
-const phaseName = (phase: string): string => phaseNames[phase] ?? phase;
+const phaseName = (phase: string): string => (t.drape.phases as Record<string, string>)[phase] ?? phase;
 
 /** How much of a drape's time its phases usually take, in their order. */
 const kShares: [string, number][] = [
@@ -49,9 +32,9 @@ export function overall(phase: string, fraction: number): number {
 
 /** Phase in words; outside of a run the state says more. */
 export function activity(state: JobState, phase: string | undefined): string {
-  if (state === 'running') return phase ? phaseName(phase) : 'Starting';
+  if (state === 'running') return phase ? phaseName(phase) : t.drape.starting;
   if (state === 'queued') return phaseName('queued');
-  return stateNames[state];
+  return stateName(state);
 }
 
 export const commandsOf = (state: JobState): { pause: boolean; resume: boolean; cancel: boolean } => ({

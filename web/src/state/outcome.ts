@@ -2,7 +2,15 @@
 
 import type { Finding } from '../api/dressing';
 import type { Job, Report } from '../api/types';
+import type { Texts } from '../texts/en';
+import { told } from '../texts/told';
 import { sentence } from './words';
+import { t } from '../texts/language';
+
+/** Why it ended, in the reader's language where the page has words for it. */
+const said = (job: Job): string => told(job.reason_code, job.reason).text;
+
+const toldOf = ({ code, message }: Finding): string => told(code, message).text;
 
 /** A way on that is one click. */
 export type Fix =
@@ -20,6 +28,8 @@ export interface Outcome {
   tone: 'bad' | 'warn' | 'plain';
   title: string;
   text: string;
+  /** The service's own words, in English, where the text is the page's. */
+  detail?: string;
   /** What the words are about: ids. */
   seams: string[];
   pieces: string[];
@@ -36,19 +46,22 @@ function named(where: string, thing: 'piece' | 'seam', known: readonly string[])
   return fits.sort((a, b) => b.length - a.length).slice(0, 1);
 }
 
-const kTexts: [RegExp, string][] = [
-  [/^start\.(crosses|inside)_body/, 'The piece begins within the body. Arranged anew it stands clear of it.'],
-  [/^start\.(crosses_cloth|touches)/, 'Two pieces begin within each other. Arranged anew they stand apart.'],
-  [/^(stalled|drape\.stalled)/, 'The seams could not be pulled shut. Nearer to each other, the pieces have less in their way.'],
-  [/^(json|project)\./, 'The project itself is at fault, at the place named.'],
-  [/^dxf\./, 'Export the DXF again from the pattern program, or correct the line named.'],
-  [/^body\./, 'A body is one closed mesh of triangles. Another file, or a mannequin, can be chosen under Body.'],
-  [/^seam\./, 'The seam joins what does not fit together: it may be turned over, or end elsewhere.'],
-  [/^arrange\.no_seams/, 'Nothing says how its pieces are sewn. Seams can be looked for, or clicked together with N.'],
-  [/^(mesh|pattern)\./, 'The outline of the piece wants correcting.'],
+const kTexts: [RegExp, keyof Texts['outcome']['texts']][] = [
+  [/^start\.(crosses|inside)_body/, 'inBody'],
+  [/^start\.(crosses_cloth|touches)/, 'inCloth'],
+  [/^(stalled|drape\.stalled)/, 'stalled'],
+  [/^(json|project)\./, 'project'],
+  [/^dxf\./, 'dxf'],
+  [/^body\./, 'body'],
+  [/^seam\./, 'seam'],
+  [/^arrange\.no_seams/, 'noSeams'],
+  [/^(mesh|pattern)\./, 'outline'],
 ];
 
-const textOf = (code: string): string => kTexts.find(([pattern]) => pattern.test(code))?.[1] ?? '';
+function textOf(code: string): string {
+  const found = kTexts.find(([pattern]) => pattern.test(code));
+  return found ? t.outcome.texts[found[1]] : '';
+}
 
 /** A seam that is sewn the wrong way round, and one whose edges do not fit each other. */
 const kTurned = /^seam\.(twisted|thread_)/;
@@ -72,20 +85,21 @@ function failed(job: Job, known: Known): Outcome {
   const pieces = named(job.reason_where, 'piece', known.pieces);
   const seams = named(job.reason_where, 'seam', known.seams);
   const place = pieces.length + seams.length > 0 || !job.reason_where ? '' : ` (${job.reason_where})`;
-  const said = sentence(`${job.reason || 'it ended without a result'}${place}`);
+  const whole = sentence(`${said(job) || t.outcome.noResult}${place}`);
   // Of a start the place is lit: the words need not tell it in metres.
-  const text = code.startsWith('start.') ? textOf(code) || said : `${said} ${textOf(code)}`.trim();
-  return { tone: 'bad', title: 'The drape failed', text, seams, pieces, fixes: fixesOf(code, pieces, seams), code };
+  const text = code.startsWith('start.') ? textOf(code) || whole : `${whole} ${textOf(code)}`.trim();
+  const { detail } = told(code, job.reason);
+  return { tone: 'bad', title: t.outcome.failed, text, detail, seams, pieces, fixes: fixesOf(code, pieces, seams), code };
 }
 
 function openSeams(open: Report['open_seams'], known: Known): Outcome {
   const widest = [...open].sort((a, b) => b.gap_mm - a.gap_mm);
   const seams = widest.map((seam) => seam.id).filter((id) => known.seams.includes(id));
-  const one = open.length === 1;
+  
   return {
     tone: 'warn',
-    title: one ? 'A seam stayed open' : `${open.length} seams stayed open`,
-    text: 'Most often a seam is then sewn the wrong way round, or the body stands between its sides.',
+    title: t.outcome.openSeams(open.length),
+    text: t.outcome.openWhy,
     seams,
     pieces: [],
     fixes: [...seams.slice(0, 1).map((seam): Fix => ({ kind: 'reverse', seam })), { kind: 'arrange' }],
@@ -100,9 +114,10 @@ const idsOf = (findings: readonly Finding[], thing: 'piece' | 'seam'): string[] 
 function notWorn(report: Report): Outcome | null {
   const off = report.findings.filter(({ code }) => code.startsWith('worn.') && code !== 'worn.slit');
   if (off.length === 0) return null;
-  const text = sentence(off.map((finding) => finding.message).join('; '));
+  const text = sentence([...new Set(off.map(toldOf))].join('; '));
+  const detail = off.map(({ code, message }) => told(code, message).detail).join('; ');
   const [seams, pieces] = [idsOf(off, 'seam'), idsOf(off, 'piece')];
-  return { tone: 'warn', title: 'It is not worn as it should be', text, seams, pieces, fixes: [{ kind: 'arrange' }], code: 'worn' };
+  return { tone: 'warn', title: t.outcome.notWorn, text, detail, seams, pieces, fixes: [{ kind: 'arrange' }], code: 'worn' };
 }
 
 /** A seam may be missing there; the design may want it as well. */
@@ -111,8 +126,8 @@ function slits(report: Report): Outcome | null {
   if (open.length === 0) return null;
   return {
     tone: 'warn',
-    title: open.length === 1 ? 'An opening is left' : `${open.length} openings are left`,
-    text: sentence([...new Set(open.map((finding) => finding.message))].join('; ')),
+    title: t.outcome.openings(open.length),
+    text: sentence([...new Set(open.map(toldOf))].join('; ')),
     seams: [],
     pieces: idsOf(open, 'piece'),
     fixes: [{ kind: 'sew' }],
@@ -126,8 +141,8 @@ function leftOut(report: Report): Outcome | null {
   const pieces = idsOf(out, 'piece');
   return {
     tone: 'warn',
-    title: pieces.length === 1 ? 'A piece was left out' : `${pieces.length} pieces were left out`,
-    text: 'Nothing holds them to the rest, or the garment could not be put on with them, so it was draped without them.',
+    title: t.outcome.leftOut(pieces.length),
+    text: t.outcome.leftOutWhy,
     seams: [],
     pieces,
     fixes: [{ kind: 'sew' }],
@@ -143,8 +158,8 @@ function moving(max_time_s: number | undefined): Outcome {
   const twice = Math.min(kMostTime, 2 * (max_time_s ?? 0));
   return {
     tone: 'warn',
-    title: 'It still moved at the end',
-    text: 'Its time was up before it came to rest. What is seen is its last moment; wide and light cloth takes longest.',
+    title: t.outcome.moved,
+    text: t.outcome.movedWhy,
     seams: [],
     pieces: [],
     fixes: max_time_s !== undefined && twice > max_time_s ? [{ kind: 'time', max_time_s: twice }] : [],
@@ -162,11 +177,11 @@ export interface Known {
 
 /** `since`: what was done to the project after the drape had begun, in words. */
 function older(since: readonly string[]): Outcome {
-  const what = since.length > 0 ? ` ${since.slice(0, 3).join('; ')}${since.length > 3 ? ' and more' : ''}.` : '';
+  const what = since.length > 0 ? `${since.slice(0, 3).join('; ')}${since.length > 3 ? ` ${t.outcome.andMore}` : ''}.` : '';
   return {
     tone: 'warn',
-    title: 'Changed since this drape',
-    text: `${what} Cloth, figures and files here are without it.`.trim(),
+    title: t.outcome.older,
+    text: t.outcome.without(what).trim(),
     seams: [],
     pieces: [],
     fixes: [{ kind: 'drape' }],
@@ -186,8 +201,8 @@ export function outcomesOf(
 ): Outcome[] {
   if (job.state === 'failed') return [failed(job, known)];
   if (job.state === 'cancelled') {
-    const text = sentence(job.reason);
-    return [{ tone: 'plain', title: 'The drape was cancelled', text, seams: [], pieces: [], fixes: [], code: '' }];
+    const text = sentence(said(job));
+    return [{ tone: 'plain', title: t.outcome.cancelled, text, seams: [], pieces: [], fixes: [], code: '' }];
   }
   if (job.state !== 'succeeded') return [];
   const behind = since && older(since);
@@ -205,12 +220,12 @@ export function outcomesOf(
 /** What the button of a fix says; `seams` are those of the pattern, which gives them their numbers. */
 export const fixTitle = (fix: Fix, seams: readonly string[]): string =>
   ({
-    reverse: `Turn seam ${fix.kind === 'reverse' ? seams.indexOf(fix.seam) + 1 : ''} over and drape`,
-    arrange: 'Arrange anew and drape',
-    drape: 'Drape again',
-    place: 'Place it by hand',
-    sew: 'Look for its seams',
-    edit: 'See its outline',
-    seam: 'See the seam',
-    time: `Give it ${fix.kind === 'time' ? fix.max_time_s : ''} s and drape`,
+    reverse: t.outcome.fixes.reverse(fix.kind === 'reverse' ? seams.indexOf(fix.seam) + 1 : 0),
+    arrange: t.outcome.fixes.arrange,
+    drape: t.common.drapeAgain,
+    place: t.outcome.fixes.place,
+    sew: t.outcome.fixes.sew,
+    edit: t.outcome.fixes.edit,
+    seam: t.outcome.fixes.seam,
+    time: t.outcome.fixes.time(fix.kind === 'time' ? fix.max_time_s : 0),
   })[fix.kind];

@@ -1,7 +1,11 @@
 // A drape's report in words. Pure.
 
 import type { Report } from '../api/types';
-import { count, counted, duration, millimetres, percent, speed } from './words';
+import type { Texts } from '../texts/en';
+import { told } from '../texts/told';
+import { lengthWords, unit } from '../texts/units';
+import { count, duration, millimetres, percent, seconds, speed } from './words';
+import { t } from '../texts/language';
 
 export type Verdict = 'good' | 'warn' | 'plain';
 
@@ -23,33 +27,41 @@ export function reportLines(report: Report, seamName: (id: string) => string = (
 }
 
 const kOpenSeam = 'open seam ';
+const kOpenButton = 'open button ';
+
+/** Why a drape stopped, which the report says in a word or two. */
+export function stopText(why: string, seamName: (id: string) => string = (id) => id): string {
+  if (why.startsWith(kOpenSeam)) return t.report.openSeam(seamName(why.slice(kOpenSeam.length)));
+  if (why.startsWith(kOpenButton)) return t.report.openButton(why.slice(kOpenButton.length));
+  return (t.report.stops as Record<string, string>)[why] ?? why;
+}
 
 function ending(report: Report, seamName: (id: string) => string): ReportLine {
-  const took = `${counted(report.steps, 'step')}, computed in ${duration(report.wall_s)}.`;
+  const took = t.report.took(report.steps, duration(report.wall_s));
   if (report.settled) {
-    const value = `Settled at ${report.simulated_s.toFixed(2)} s`;
-    return { label: 'Ending', value, sentence: `The cloth came to rest after ${took}`, verdict: 'good' };
+    const value = t.report.settledAt(seconds(report.simulated_s, 2));
+    return { label: t.report.lines.ending, value, sentence: t.report.cameToRest(took), verdict: 'good' };
   }
   const { stop_reason: why } = report;
-  const value = `Stopped: ${why.startsWith(kOpenSeam) ? kOpenSeam + seamName(why.slice(kOpenSeam.length)) : why}`;
-  const sentence = `The cloth had not come to rest at ${report.simulated_s.toFixed(2)} s; ${took}`;
-  return { label: 'Ending', value, sentence, verdict: 'warn' };
+  const value = t.report.stopped(stopText(why, seamName));
+  const sentence = t.report.notAtRest(seconds(report.simulated_s, 2), took);
+  return { label: t.report.lines.ending, value, sentence, verdict: 'warn' };
 }
 
 function crossings({ intersections }: Report): ReportLine {
   const { cloth_body, cloth_cloth, worst_frame, frames_checked } = intersections;
-  const checked = counted(frames_checked, 'checked moment');
+  
   if (cloth_body + cloth_cloth === 0) {
     const worst = worst_frame.cloth_body + worst_frame.cloth_cloth;
     const before =
       worst === 0
-        ? `nor in any of ${checked}`
-        : `though ${counted(worst, 'place')} did at step ${count(worst_frame.step)}`;
-    const sentence = `No cloth passes through the body or itself at the end, ${before}.`;
-    return { label: 'Intersections', value: 'None', sentence, verdict: worst === 0 ? 'good' : 'warn' };
+        ? t.report.norBefore(frames_checked)
+        : t.report.thoughBefore(worst, worst_frame.step);
+    const sentence = t.report.noneAtEnd(before);
+    return { label: t.report.lines.intersections, value: t.common.noneFound, sentence, verdict: worst === 0 ? 'good' : 'warn' };
   }
-  const sentence = `Cloth passes through the body in ${counted(cloth_body, 'place')} and through itself in ${count(cloth_cloth)}.`;
-  return { label: 'Intersections', value: count(cloth_body + cloth_cloth), sentence, verdict: 'warn' };
+  const sentence = t.report.passes(cloth_body, cloth_cloth);
+  return { label: t.report.lines.intersections, value: count(cloth_body + cloth_cloth), sentence, verdict: 'warn' };
 }
 
 /** Nothing where nobody stands there to wear it. */
@@ -59,49 +71,49 @@ function wearing({ worn, findings, open_seams: open }: Report): ReportLine[] {
     .filter((finding) => finding.code === 'piece.left_out' && finding.severity === 'warning')
     .flatMap((finding) => finding.about.map((piece) => piece.id));
   const slit = findings.some(({ code }) => code === 'worn.slit');
-  const without = [open.length > 0 ? ['what did not close'] : [], missing, slit ? ['an opening with nothing in it'] : []]
+  const without = [open.length > 0 ? [t.report.without.open] : [], missing, slit ? [t.report.without.slit] : []]
     .flat()
     .join(', ');
-  const off = findings.filter((finding) => finding.code.startsWith('worn.')).map((finding) => finding.message);
+  const off = findings.filter((finding) => finding.code.startsWith('worn.')).map((finding) => told(finding.code, finding.message).text);
   const sentence = {
-    yes: 'Every opening goes around the limb that it is for.',
-    partly: `It is on, but for ${without || 'a part'}.`,
-    no: `${off.join('; ') || 'It did not end where it belongs'}.`,
+    yes: t.report.worn.yes,
+    partly: t.report.worn.partly(without || t.report.without.part),
+    no: `${off.join('; ') || t.report.worn.ended}.`,
   }[worn];
-  const value = { yes: 'Yes', partly: 'In part', no: 'No' }[worn];
-  return [{ label: 'Worn', value, sentence, verdict: worn === 'yes' ? 'good' : 'warn' }];
+  const value = t.report.wornTitles[worn];
+  return [{ label: t.report.lines.worn, value, sentence, verdict: worn === 'yes' ? 'good' : 'warn' }];
 }
 
 function seams({ seam_gap_max_mm: gap, open_seams: open }: Report, seamName: (id: string) => string): ReportLine {
   const closed = gap <= kClosed;
-  const names = open.map((seam) => `${seamName(seam.id)} by ${millimetres(seam.gap_mm)}`).join('; ');
+  const names = open.map((seam) => t.report.openBy(seamName(seam.id), millimetres(seam.gap_mm))).join('; ');
   const sentence = closed
-    ? 'Every seam is closed over its whole length.'
+    ? t.report.allClosed
     : names
-      ? `Left open: ${names}.`
-      : `The widest seam is open by ${millimetres(gap)}.`;
-  return { label: 'Seams', value: closed ? 'Closed' : millimetres(gap), sentence, verdict: closed ? 'good' : 'warn' };
+      ? t.report.leftOpen(names)
+      : t.report.widest(millimetres(gap));
+  return { label: t.report.lines.seams, value: closed ? t.report.closed : millimetres(gap), sentence, verdict: closed ? 'good' : 'warn' };
 }
 
 function stretch({ strain }: Report): ReportLine {
   const warp = strain.warp.tension ?? strain.warp;
   const weft = strain.weft.tension ?? strain.weft;
-  const value = `${percent(warp.p99)} warp, ${percent(weft.p99)} weft`;
+  const value = t.report.stretchValue(percent(warp.p99), percent(weft.p99));
   const mean = Math.max(Math.abs(warp.mean), Math.abs(weft.mean));
-  const sentence = `99 % of the cloth is stretched by less than this; ${percent(mean, 2)} on average.`;
-  return { label: 'Stretch', value, sentence, verdict: Math.max(warp.p99, weft.p99) < kTight ? 'plain' : 'warn' };
+  const sentence = t.report.stretchWords(percent(mean, 2));
+  return { label: t.report.lines.stretch, value, sentence, verdict: Math.max(warp.p99, weft.p99) < kTight ? 'plain' : 'warn' };
 }
 
 function rest(report: Report): ReportLine {
-  const sentence = `The fastest point moves at ${speed(report.max_speed)}.`;
-  return { label: 'Motion left', value: `${speed(report.rms_speed)} rms`, sentence, verdict: 'plain' };
+  const sentence = t.report.fastest(speed(report.max_speed));
+  return { label: t.report.lines.motion, value: t.report.rms(speed(report.rms_speed)), sentence, verdict: 'plain' };
 }
 
 function size(report: Report): ReportLine {
-  const value = `${(100 * (report.highest_m - report.lowest_m)).toFixed(1)} cm tall`;
-  const low = (100 * report.lowest_m).toFixed(1);
-  const sentence = `Hangs from ${(100 * report.highest_m).toFixed(1)} cm down to ${low} cm above the ground; ${count(report.particles)} particles, ${count(report.triangles)} triangles.`;
-  return { label: 'Garment', value, sentence, verdict: 'plain' };
+  const value = t.report.tall(lengthWords(100 * (report.highest_m - report.lowest_m), unit.value));
+  const [high, low] = [report.highest_m, report.lowest_m].map((m) => lengthWords(100 * m, unit.value));
+  const sentence = t.report.hangs(high!, low!, report.particles, report.triangles);
+  return { label: t.report.lines.garment, value, sentence, verdict: 'plain' };
 }
 
 /** Result files a person may want, with what they are for; the rest by name. */
@@ -112,20 +124,20 @@ export interface Download {
   bytes: number;
 }
 
-const kKnown: [string, string, string][] = [
-  ['final.glb', 'GLB', 'Coloured model for 3D programs and the web'],
-  ['final.obj', 'OBJ', 'Draped mesh, one object a piece'],
-  ['rest.obj', 'Rest OBJ', 'The flat pieces with the same vertices'],
-  ['body.obj', 'Body OBJ', 'The body it hangs on'],
-  ['report.json', 'Report', 'Every figure of this drape as JSON'],
-  ['manifest.json', 'Manifest', 'What it was made of and what came out, by hashes: toile verify drapes it again'],
-  ['sewn.json', 'Sewn pairs', 'Which vertices are sewn together'],
+const kKnown: [name: string, file: keyof Texts['report']['files']][] = [
+  ['final.glb', 'glb'],
+  ['final.obj', 'obj'],
+  ['rest.obj', 'rest'],
+  ['body.obj', 'body'],
+  ['report.json', 'report'],
+  ['manifest.json', 'manifest'],
+  ['sewn.json', 'sewn'],
 ];
 
 export function downloadsOf(results: Record<string, number>): Download[] {
   const known = kKnown
     .filter(([name]) => name in results)
-    .map(([name, title, hint]) => ({ name, title, hint, bytes: results[name]! }));
+    .map(([name, file]) => ({ name, ...t.report.files[file], bytes: results[name]! }));
   const rest = Object.keys(results)
     .sort()
     .filter((name) => !stillOrder(name) && !isThumbnail(name) && !kKnown.some(([other]) => other === name))

@@ -3,6 +3,9 @@
 import type { Piece, PieceEdge, Point, SeamEdge, SeamProposal, SeamSides } from '../api/types';
 import { distance } from './outline';
 import { boxOf, cutLine, lengthOf } from './patternGeometry';
+import { fixed } from '../texts/numbers';
+import { patternFigure, patternLength } from '../texts/units';
+import { t } from '../texts/language';
 
 /** How many colours styles/seams.css has. */
 export const kSeamColours = 20;
@@ -111,13 +114,13 @@ export function seamLengths(pieces: readonly Piece[], seam: SeamSides): SeamLeng
 
 /** "412 mm to 398 mm", and how much the difference is. */
 export function lengthsText(a: number, b: number): { lengths: string; difference: string } {
-  const mm = (value: number): string => value.toFixed(1);
+  
   const off = Math.abs(a - b);
   const share =
-    Math.min(a, b) > 0 ? ` (${((100 * off) / Math.min(a, b)).toFixed(off / Math.min(a, b) < 0.1 ? 1 : 0)} %)` : '';
+    Math.min(a, b) > 0 ? ` (${fixed((100 * off) / Math.min(a, b), off / Math.min(a, b) < 0.1 ? 1 : 0)} %)` : '';
   return {
-    lengths: `${mm(a)} ⇄ ${mm(b)} mm`,
-    difference: off < 0.05 ? 'equal' : `${off.toFixed(1)} mm${share}`,
+    lengths: `${patternFigure(a)} ⇄ ${patternLength(b)}`,
+    difference: off < 0.05 ? t.pattern.equal : `${patternLength(off)}${share}`,
   };
 }
 
@@ -139,8 +142,9 @@ export function edgeWords(piece: Piece | undefined, id: string): string {
   const middle = alongLine(edge.points, 0.5)?.at ?? edge.points[0];
   if (!middle) return id;
   const { minX, maxX, minY, maxY } = boxOf(piece.outline);
-  const words = [aside(middle[1], minY, maxY, 'bottom', 'top'), aside(middle[0], minX, maxX, 'left', 'right')];
-  return words.filter(Boolean).join(' ') || 'middle';
+  const { top, bottom, left, right, middle: between } = t.pattern.sides;
+  const words = [aside(middle[1], minY, maxY, bottom, top), aside(middle[0], minX, maxX, left, right)];
+  return words.filter(Boolean).join(' ') || between;
 }
 
 /** Which end of a range a value is near; empty: neither. */
@@ -159,8 +163,8 @@ const kGivenId = /^(seam|s)?\d+$/;
 /** "front to back and back_mirrored": the pieces that a seam joins, each once. */
 function joins({ a, b }: SeamSides): string {
   const [from, to] = [a, b].map((series) => [...new Set(series.map((use) => use.piece))]);
-  if (from!.join() === to!.join()) return `${from!.join(' and ')}, to itself`;
-  return `${from!.join(' and ')} to ${to!.join(' and ')}`;
+  const all = (ids: string[]): string => ids.join(` ${t.pattern.and} `);
+  return from!.join() === to!.join() ? t.pattern.toItself(all(from!)) : t.pattern.joins(all(from!), all(to!));
 }
 
 /** A seam as a person would call it: its number on the pattern with its name, or with the pieces that it joins. */

@@ -61,14 +61,20 @@ export interface EdgeHandlers {
   double?(hand: Hand, at: EdgePlace, place: Point): void;
 }
 
-export interface PatternTool extends ToolFacts {
+export interface ToolWords {
   /** On its button. */
   readonly title: string;
-  /** The letter that takes it. */
-  readonly key: string;
   /** What it does: on its button, and in the list of keys. */
   readonly hint: string;
   readonly help: string;
+}
+
+export interface PatternTool extends ToolFacts {
+  /** What it is called, in the language that is spoken. */
+  words(): ToolWords;
+  /** The letter that takes it. */
+  readonly key: string;
+  
   /** CSS cursors that differ from the usual ones. */
   readonly cursor?: { readonly paper?: string; readonly piece?: string; readonly selected?: string };
 

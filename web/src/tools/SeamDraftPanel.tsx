@@ -6,6 +6,8 @@ import { useAppState } from '../state/context';
 import { lengthsText, seamColour, seamLengths, seriesText, type Side } from '../state/seamView';
 import { Icon } from '../controls/Icon';
 import { NumberField } from '../controls/NumberField';
+import { patternLength } from '../texts/units';
+import { t } from '../texts/language';
 
 export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
   const state = useAppState();
@@ -16,8 +18,8 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
   const both = a.length > 0 && b.length > 0;
   const { lengths, difference } = lengthsText(lengthA, lengthB);
   return (
-    <section class="seam-draft" aria-label="New seam" style={{ '--seam': seamColour(pieces.seams.length) }}>
-      <h3>New seam</h3>
+    <section class="seam-draft" aria-label={t.pattern.newSeam} style={{ '--seam': seamColour(pieces.seams.length) }}>
+      <h3>{t.pattern.newSeam}</h3>
       {(['a', 'b'] as const).map((one) => (
         <button
           key={one}
@@ -26,8 +28,8 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
           onClick={() => (draft.value = { ...draft.value, side: one })}
         >
           <em>{one.toUpperCase()}</em>
-          <span>{draft.value[one].length > 0 ? seriesText(draft.value[one], pieces.pieces) : 'Click edges on the pieces'}</span>
-          <small>{draft.value[one].length > 0 ? `${(one === 'a' ? lengthA : lengthB).toFixed(1)} mm` : ''}</small>
+          <span>{draft.value[one].length > 0 ? seriesText(draft.value[one], pieces.pieces) : t.pattern.clickEdges}</span>
+          <small>{draft.value[one].length > 0 ? patternLength(one === 'a' ? lengthA : lengthB) : ''}</small>
         </button>
       ))}
       <DraftEdges side={side} />
@@ -38,13 +40,13 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
       )}
       <div class="button-row">
         <button class="primary" disabled={!both} onClick={() => void pattern.addSeam()}>
-          Sew
+          {t.common.sew}
         </button>
         <button class="plain" disabled={!both} aria-pressed={sameDirection} onClick={() => pattern.turnDraft()}>
-          Reverse
+          {t.pattern.reverse}
         </button>
         <button class="plain" onClick={() => pattern.clearDraft()}>
-          Clear
+          {t.pattern.clear}
         </button>
       </div>
     </section>
@@ -58,27 +60,27 @@ function DraftEdges({ side }: { side: Side }) {
   const series = state.editing.draft.value[side];
   if (series.length === 0) return null;
   return (
-    <ul class="draft-edges" aria-label={`Edges of side ${side.toUpperCase()}`}>
+    <ul class="draft-edges" aria-label={t.pattern.edgesOfSide(side.toUpperCase())}>
       {series.map((use, i) => (
         <li key={`${use.piece} ${use.edge}`}>
           <span>
             {use.piece} · {use.edge}
           </span>
           <NumberField
-            label="from"
+            label={t.pattern.from}
             unit="%"
             value={100 * (use.from ?? 0)}
             take={(from) => pattern.cutDraft(side, i, from / 100, use.to ?? 1)}
           />
           <NumberField
-            label="to"
+            label={t.pattern.to}
             unit="%"
             value={100 * (use.to ?? 1)}
             take={(to) => pattern.cutDraft(side, i, use.from ?? 0, to / 100)}
           />
           <button
             class="tool flat"
-            aria-label={`Leave out ${use.piece} · ${use.edge}`}
+            aria-label={t.pattern.leaveOut(`${use.piece} · ${use.edge}`)}
             onClick={() => pattern.sewEdge(use.piece, use.edge)}
           >
             <Icon name="cross" />

@@ -5,13 +5,17 @@ import type { AppState } from '../state/AppState';
 import { nextMap } from '../state/clothMaps';
 import type { PatternTool } from './PatternTool';
 import { patternTools } from './table';
+import { t } from '../texts/language';
+import type { Texts } from '../texts/en';
 
 export interface Binding {
   /** KeyboardEvent.key, lower case. */
   key: string;
   shown: string;
-  title: string;
-  group: string;
+  /** What it does, in the list of keys. */
+  title(): string;
+  /** Where it stands there. */
+  group: keyof Texts['keys']['groups'];
   /** With Ctrl, or the command key. */
   ctrl?: boolean;
   shift?: boolean;
@@ -22,43 +26,43 @@ export interface Binding {
 
 /** The key that takes a tool. */
 function taking(tool: PatternTool): Binding {
-  const { key: shown, help: title } = tool;
-  return { key: shown.toLowerCase(), shown, title, group: 'Pattern', work: true, run: (c) => c.pattern.takeTool(tool) };
+  const { key: shown } = tool;
+  return { key: shown.toLowerCase(), shown, title: () => tool.words().help, group: 'pattern', work: true, run: (c) => c.pattern.takeTool(tool) };
 }
 
 export const bindings: Binding[] = [
-  { key: ' ', shown: 'Space', title: 'Start, pause or go on', group: 'Drape', work: true, run: (c) => void c.runOrPause() },
-  { key: 'o', shown: 'O', title: 'New project from files', group: 'Drape', run: (c) => c.openIntake() },
+  { key: ' ', shown: 'Space', title: () => t.keys.does.run, group: 'drape', work: true, run: (c) => void c.runOrPause() },
+  { key: 'o', shown: 'O', title: () => t.keys.does.newProject, group: 'drape', run: (c) => c.openIntake() },
   ...patternTools.map(taking),
   {
     key: 'enter',
     shown: 'Enter',
-    title: 'Other side, then sew',
-    group: 'Pattern',
+    title: () => t.keys.does.finishSide,
+    group: 'pattern',
     work: true,
     run: (c) => void c.pattern.finishSide(),
   },
   {
     key: 'delete',
     shown: 'Del',
-    title: 'Delete what is selected',
-    group: 'Pattern',
+    title: () => t.keys.does.delete,
+    group: 'pattern',
     work: true,
     run: (c) => void c.pattern.remove(),
   },
   {
     key: 'e',
     shown: 'E',
-    title: 'Large or small pattern',
-    group: 'Pattern',
+    title: () => t.keys.does.large,
+    group: 'pattern',
     work: true,
     run: (_, s) => void (s.editing.large.value = !s.editing.large.value),
   },
   {
     key: 'z',
     shown: 'Ctrl Z',
-    title: 'Undo',
-    group: 'Pattern',
+    title: () => t.keys.does.undo,
+    group: 'pattern',
     work: true,
     ctrl: true,
     run: (c) => void c.pattern.undo(),
@@ -66,64 +70,71 @@ export const bindings: Binding[] = [
   {
     key: 'z',
     shown: 'Ctrl Shift Z',
-    title: 'Redo',
-    group: 'Pattern',
+    title: () => t.keys.does.redo,
+    group: 'pattern',
     work: true,
     ctrl: true,
     shift: true,
     run: (c) => void c.pattern.redo(),
   },
-  { key: '1', shown: '1', title: 'Front view', group: 'View', run: (c) => c.showView('front') },
-  { key: '2', shown: '2', title: 'Back view', group: 'View', run: (c) => c.showView('back') },
-  { key: '3', shown: '3', title: 'Side view', group: 'View', run: (c) => c.showView('side') },
-  { key: '4', shown: '4', title: 'Three-quarter view', group: 'View', run: (c) => c.showView('three-quarter') },
+  { key: '1', shown: '1', title: () => t.keys.does.front, group: 'view', run: (c) => c.showView('front') },
+  { key: '2', shown: '2', title: () => t.keys.does.back, group: 'view', run: (c) => c.showView('back') },
+  { key: '3', shown: '3', title: () => t.keys.does.side, group: 'view', run: (c) => c.showView('side') },
+  { key: '4', shown: '4', title: () => t.keys.does.threeQuarter, group: 'view', run: (c) => c.showView('three-quarter') },
   {
     key: 'b',
     shown: 'B',
-    title: 'Body on or off',
-    group: 'View',
+    title: () => t.keys.does.body,
+    group: 'view',
     run: (_, s) => void (s.bodyShown.value = !s.bodyShown.value),
   },
   {
     key: 'm',
     shown: 'M',
-    title: 'Mesh on or off',
-    group: 'View',
+    title: () => t.keys.does.mesh,
+    group: 'view',
     run: (_, s) => void (s.meshShown.value = !s.meshShown.value),
   },
   {
     key: 'x',
     shown: 'X',
-    title: 'Next map of the cloth',
-    group: 'View',
+    title: () => t.keys.does.map,
+    group: 'view',
     work: true,
     run: (_, s) => (s.mapKind.value = nextMap(s.mapKind.value)),
   },
   {
     key: 'l',
     shown: 'L',
-    title: 'Project list on or off',
-    group: 'View',
+    title: () => t.keys.does.rail,
+    group: 'view',
     run: (_, s) => void (s.railShown.value = !s.railShown.value),
   },
   {
     key: '?',
     shown: '?',
-    title: 'This list',
-    group: 'Help',
+    title: () => t.keys.does.help,
+    group: 'help',
     run: (_, s) => void (s.helpShown.value = !s.helpShown.value),
   },
   {
     key: 'escape',
     shown: 'Esc',
-    title: 'Select nothing, close',
-    group: 'Help',
+    title: () => t.keys.does.escape,
+    group: 'help',
     run: (c, s) => {
       if (s.helpShown.value) s.helpShown.value = false;
       else if (!c.pattern.cancel()) c.select(null);
     },
   },
 ];
+
+/** "Ctrl Shift Z" as the reader's keyboard has it. */
+export const shownKey = ({ shown }: Pick<Binding, 'shown'>): string =>
+  shown
+    .split(' ')
+    .map((key) => (t.keys.names as Record<string, string>)[key] ?? key)
+    .join(' ');
 
 /** A key that belongs to the element that has the focus: typing, or pressing a button with Space. */
 function belongsTo(target: EventTarget | null, key: string): boolean {

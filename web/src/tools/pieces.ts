@@ -3,14 +3,13 @@
 import { kRestingTool } from '../state/editing';
 import { pieceDrag } from './pieceDrag';
 import type { PatternTool } from './PatternTool';
+import { t } from '../texts/language';
 
 export const pieces: PatternTool = {
   id: kRestingTool,
   keepsPart: false,
-  title: 'Pieces',
+  words: () => t.keys.tools.pieces,
   key: 'A',
-  hint: 'Select and move pieces',
-  help: 'Move whole pieces',
   cursor: { selected: 'move' },
   clickPiece: ({ state, commands }, piece) => {
     commands.pattern.selectPart(null);

@@ -15,14 +15,13 @@ import {
 } from '../state/outline';
 import { pieceDrag } from './pieceDrag';
 import type { Drag, Hand, Held, PatternTool, Way } from './PatternTool';
+import { t } from '../texts/language';
 
 export const points: PatternTool = {
   id: 'points',
   keepsPart: true,
-  title: 'Points',
+  words: () => t.keys.tools.points,
   key: 'Z',
-  hint: 'Edit points, handles and edges',
-  help: 'Edit points and edges',
   clickPiece: ({ commands }, piece) => {
     commands.pattern.selectPart(null);
     commands.select(piece);
@@ -40,7 +39,7 @@ export const points: PatternTool = {
     hand.commands.pattern.selectPart(part);
     return partDrag(hand, part, at);
   },
-  say: (state) => (state.selected.value === null ? 'Click a piece to see its points' : null),
+  say: (state) => (state.selected.value === null ? t.keys.clickPiece : null),
 };
 
 /** As the service has it: what is held is shown elsewhere already. */

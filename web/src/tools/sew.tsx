@@ -3,14 +3,13 @@
 import type { AppState } from '../state/AppState';
 import { SeamDraftPanel } from './SeamDraftPanel';
 import type { PatternTool } from './PatternTool';
+import { t } from '../texts/language';
 
 export const sew: PatternTool = {
   id: 'sew',
   keepsPart: false,
-  title: 'Sew',
+  words: () => t.keys.tools.sew,
   key: 'N',
-  hint: 'Click edges together',
-  help: 'Sew edges together',
   cursor: { paper: 'crosshair', piece: 'crosshair' },
   clickPiece: ({ commands }, piece) => {
     commands.pattern.selectPart(null);
@@ -30,7 +29,7 @@ export const sew: PatternTool = {
     const { side, a } = editing.draft.value;
     return (
       <>
-        Click the edges of {side === 'a' || a.length === 0 ? 'one side' : 'the other side'}, then press <kbd>Enter</kbd>
+        {side === 'a' || a.length === 0 ? t.keys.sewOne : t.keys.sewOther} <kbd>{t.keys.names.Enter}</kbd>
       </>
     );
   },

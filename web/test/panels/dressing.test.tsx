@@ -106,7 +106,7 @@ describe('the body', () => {
   it('has landmarks put back, and new ones placed by a click', () => {
     page.change((state) => (state.dressing.marks.value = { tape: false, landmarks: true, boxes: false }));
     open([bodyOf({ landmarks: [{ name: 'left_hip', place: [0, 1, 0], own: true }] })]);
-    click(button('Put left_hip back'));
+    click(button('Put Left hip back'));
     expect(button('Place').hasAttribute('disabled')).toBe(true);
     fireEvent.input(screen.getByRole('textbox', { name: 'Name of a new landmark' }), { target: { value: 'belt' } });
     click(button('Place'));

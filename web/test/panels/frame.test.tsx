@@ -334,7 +334,7 @@ describe('the help', () => {
     expect(screen.queryByRole('dialog')).toBeNull();
     page.change((state) => (state.helpShown.value = true));
     for (const { title, shown } of bindings) {
-      expect(screen.getByText(title).parentElement!.textContent).toBe(shown + title);
+      expect(screen.getByText(title()).parentElement!.textContent).toBe(shown + title());
     }
     click(button('Close'));
     expect(page.state.helpShown.value).toBe(false);

@@ -10,6 +10,7 @@ import type { Commands } from '../../src/commands/Commands';
 import { CommandsContext } from '../../src/commands/context';
 import { AppState, ready } from '../../src/state/AppState';
 import { StateContext } from '../../src/state/context';
+import { unit } from '../../src/texts/units';
 import { projectOf } from '../fakes';
 
 configure({
@@ -50,6 +51,7 @@ afterEach(() => {
   if (root) void act(() => render(null, root!));
   root?.remove();
   root = null;
+  unit.value = 'mm';
 });
 
 /** A page on which the project p_1 is open. */

@@ -95,7 +95,9 @@ describe('the page of a share link', () => {
     shared.job.value = ready(sharedOf({ state: 'running', take: ['pictures', 'models', 'report'] }));
     frame(shared);
     const words = [...document.querySelectorAll('button')].map((button) => button.textContent);
-    expect(words.filter((word) => !word?.includes('Front'))).toEqual([]);
+    // The one that is no picture opens language and units, which are the reader's own.
+    expect(words.filter((word) => !word?.includes('Front'))).toEqual(['']);
+    expect(screen.getByRole('button', { name: 'Language and units' })).toBeTruthy();
   });
 
   it('shows stills, figures and the way home of what may be taken', () => {

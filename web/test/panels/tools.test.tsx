@@ -22,10 +22,8 @@ const knife = vi.hoisted(
   (): PatternTool => ({
     id: 'knife',
     keepsPart: false,
-    title: 'Knife',
+    words: () => ({ title: 'Knife', hint: 'Cut an edge in two', help: 'Cut edges' }),
     key: 'K',
-    hint: 'Cut an edge in two',
-    help: 'Cut edges',
     cursor: { paper: 'cell' },
     clickPiece: () => undefined,
     edges: {

@@ -1,0 +1,77 @@
+// Keys, the mouse, and the tools that are held.
+
+import type { Texts } from '../en';
+
+export const keys: Texts['keys'] = {
+  mouse: {
+    drag: 'Ziehen',
+    dragDoes: 'Ansicht drehen',
+    right: 'Rechts ziehen',
+    rightDoes: 'Ansicht verschieben',
+    wheel: 'Mausrad',
+    wheelDoes: 'Näher, weiter weg',
+    click: 'Klick',
+    clickDoes: 'Schnittteil oder Naht auswählen',
+    middle: 'Mitte ziehen',
+    middleDoes: 'Schnitt verschieben',
+    double: 'Doppelklick',
+    doubleDoes: 'Neuer Punkt auf einer Kante (Z)',
+    shift: 'Umschalt + Ziehen',
+    shiftDoes: 'In Schritten von 45°',
+  },
+  title: 'Tasten und Maus',
+  mouseTitle: 'Maus',
+  groups: {
+    drape: 'Drapieren',
+    pattern: 'Schnitt',
+    view: 'Ansicht',
+    help: 'Hilfe',
+  },
+  does: {
+    run: 'Drapieren, anhalten oder fortsetzen',
+    newProject: 'Neues Projekt aus Dateien',
+    finishSide: 'Zur anderen Seite, dann nähen',
+    delete: 'Auswahl löschen',
+    large: 'Schnitt groß oder klein',
+    undo: 'Rückgängig',
+    redo: 'Wiederholen',
+    front: 'Ansicht von vorn',
+    back: 'Ansicht von hinten',
+    side: 'Ansicht von der Seite',
+    threeQuarter: 'Dreiviertelansicht',
+    body: 'Körper ein oder aus',
+    mesh: 'Netz ein oder aus',
+    map: 'Nächste Karte des Stoffes',
+    rail: 'Projektliste ein oder aus',
+    help: 'Diese Liste',
+    escape: 'Auswahl aufheben, schließen',
+  },
+  names: {
+    Space: 'Leertaste',
+    Enter: 'Eingabe',
+    Del: 'Entf',
+    Esc: 'Esc',
+    Ctrl: 'Strg',
+    Shift: 'Umschalt',
+  },
+  clickPiece: 'Klicken Sie auf ein Schnittteil, um seine Punkte zu sehen',
+  tools: {
+    pieces: {
+      title: 'Teile',
+      hint: 'Schnittteile auswählen und bewegen',
+      help: 'Ganze Schnittteile bewegen',
+    },
+    points: {
+      title: 'Punkte',
+      hint: 'Punkte, Griffe und Kanten bearbeiten',
+      help: 'Punkte und Kanten bearbeiten',
+    },
+    sew: {
+      title: 'Nähen',
+      hint: 'Kanten zusammenklicken',
+      help: 'Kanten zusammennähen',
+    },
+  },
+  sewOne: 'Klicken Sie die Kanten der einen Seite an, dann',
+  sewOther: 'Klicken Sie die Kanten der anderen Seite an, dann',
+};

@@ -1,0 +1,41 @@
+// All that the page says, in English: a section for each part of the page. The other languages have its type.
+
+import { arrange } from './en/arrange';
+import { body } from './en/body';
+import { common } from './en/common';
+import { drape } from './en/drape';
+import { edits } from './en/edits';
+import { fabric } from './en/fabric';
+import { frame } from './en/frame';
+import { imports } from './en/imports';
+import { intake } from './en/intake';
+import { keys } from './en/keys';
+import { messages } from './en/messages';
+import { names } from './en/names';
+import { outcome } from './en/outcome';
+import { pattern } from './en/pattern';
+import { report } from './en/report';
+import { scene } from './en/scene';
+import { share } from './en/share';
+
+export const en = {
+  arrange,
+  body,
+  common,
+  drape,
+  edits,
+  fabric,
+  frame,
+  imports,
+  intake,
+  keys,
+  messages,
+  names,
+  outcome,
+  pattern,
+  report,
+  scene,
+  share,
+};
+
+export type Texts = typeof en;
