@@ -22,6 +22,7 @@ import { Icon } from '../controls/Icon';
 import { NumberField } from '../controls/NumberField';
 import { t } from '../texts/language';
 import { Told } from '../texts/Message';
+import { told } from '../texts/told';
 
 export function BodyPanel() {
   const { dressing, projectId } = useAppState();
@@ -325,7 +326,7 @@ function MeasureRow(props: { taken: TakenMeasure; own: boolean; children: preact
   return (
     <li
       class={`measure${own ? ' own' : ''}${dressing.lit.value === taken.name ? ' lit' : ''}`}
-      title={taken.rule}
+      title={told(`measure.${taken.name}`, taken.rule).text}
       onPointerEnter={() => put(taken.name)}
       onPointerLeave={() => put(null)}
       onFocusIn={() => put(taken.name)}
