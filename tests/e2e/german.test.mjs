@@ -37,7 +37,7 @@ const english = (watched) =>
     while (walker.nextNode()) if (!walker.currentNode.parentElement.closest('[lang=en], script, noscript')) texts.push(walker.currentNode.data);
     for (const element of document.querySelectorAll('[aria-label], [title], [placeholder]'))
       for (const name of ['aria-label', 'title', 'placeholder']) texts.push(element.getAttribute(name) ?? '');
-    return texts.filter((text) => !/^\S+\.\w+$/.test(text) && /\b(the|and|with|from|this|drape|piece|seam|edge)\b/i.test(text));
+    return texts.filter((text) => text !== 'Kim and Park 2003' && !/^\S+\.\w+$/.test(text) && /\b(the|and|with|from|this|drape|piece|seam|edge)\b/i.test(text));
   });
 
 async function looks(name) {

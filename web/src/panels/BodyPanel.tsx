@@ -318,6 +318,9 @@ function MeasureFigure({ taken }: { taken: TakenMeasure }) {
   );
 }
 
+/** How the tape is laid. */
+const ruleOf = ({ name, rule }: TakenMeasure): string => told(`measure.${name}`, rule).text;
+
 function MeasureRow(props: { taken: TakenMeasure; own: boolean; children: preact.ComponentChildren }) {
   const { taken, own, children } = props;
   const { dressing } = useAppState();
@@ -326,7 +329,7 @@ function MeasureRow(props: { taken: TakenMeasure; own: boolean; children: preact
   return (
     <li
       class={`measure${own ? ' own' : ''}${dressing.lit.value === taken.name ? ' lit' : ''}`}
-      title={told(`measure.${taken.name}`, taken.rule).text}
+      title={ruleOf(taken)}
       onPointerEnter={() => put(taken.name)}
       onPointerLeave={() => put(null)}
       onFocusIn={() => put(taken.name)}
