@@ -41,11 +41,11 @@ constexpr double kButtonTolerance = 3e-3;  // m
 constexpr double kSeamLost = 10e-3;  // m
 /// How much calmer cloth must be than at rest before a seam or button is given up as open.
 constexpr double kOpenCalm = 0.2;
-/// Cloth that begins on the body comes back to its shape for so long before gravity comes in.
-constexpr double kEaseTime = 0.25;  // s
-/// What was bunched while it was put on falls into place before friction holds it.
-constexpr double kSlipTime = 0.25, kGripTime = 0.25;  // s
-constexpr double kWeldInterval = 0.25;                // s between tries to weld what was left open
+/// Cloth that begins on the body comes back to its shape before gravity comes in, for this share of so long.
+/// All at once it would snap, and throw its straps off the shoulders.
+constexpr double kEaseTime = 0.4, kBackInShape = 0.8;  // s, 1
+constexpr int kShapeSteps = 8;                         // from one bit of the way back to the next
+constexpr double kWeldInterval = 0.25;                 // s between tries to weld what was left open
 
 }  // namespace
 
@@ -74,6 +74,7 @@ void DrapeSession::begin_dressed(const std::vector<Vec3>& positions) {
   for (std::size_t i = 0; i < positions.size(); ++i) weld.positions[vertex_of_[i]] = positions[i];
   build_solver(model_of(vertex_of_, weld.vertex_count), std::move(weld.positions), {});
   solver_->set_stitches(stitches_now());
+  solver_->rest_here();
 }
 
 /// What lets go after a time has let go before.
@@ -185,7 +186,11 @@ solver::StepForces DrapeSession::forces_now() const {
   const double since = time_ - phase_start_;
   if (phase_ == Phase::kSew) {
     forces.gravity = 0;
-    forces.friction = forces.restitution = 0;
+    // What is on already keeps its hold on the body: tight cloth would ride up to where the body is slimmer,
+    // and straps down the shoulders' slopes.
+    forces.friction = began_ == Began::kDressed ? 1 : 0;
+    forces.restitution = 0;
+    forces.learns = began_ != Began::kDressed;
     forces.damping = kSewDamping;
     forces.stitch_length = std::max(0.0, 1 - since / sew_time());
     forces.features = {forces.stitch_length, 0, false};
@@ -198,7 +203,6 @@ solver::StepForces DrapeSession::forces_now() const {
     return forces;
   }
   forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
-  if (began_ == Began::kDressed) forces.friction = std::clamp((since - kSlipTime) / kGripTime, 0.0, 1.0);
   forces.damping = watch_.damping();
   forces.viscosity = solver::constraints::viscous_share(kViscosity, input_.settings.time_step, steps_);
   return forces;
@@ -249,8 +253,22 @@ Status DrapeSession::restore(SessionState state) {
   return {};
 }
 
+/// 1 where cloth that was put on begins, 0 once its shape is its own again.
+double DrapeSession::share_out_of_shape() const {
+  return std::max(0.0, 1 - (time_ - phase_start_) / (kBackInShape * sew_time()));
+}
+
+/// What of the preloads is left since the last bit of the way, so that nothing else need be remembered.
+void DrapeSession::come_back_to_shape() {
+  if (began_ != Began::kDressed || phase_ != Phase::kSew || steps_ % kShapeSteps != 0) return;
+  const double now = share_out_of_shape();
+  const double bit = kShapeSteps * input_.settings.time_step / (kBackInShape * sew_time());
+  if (now + bit > 0) solver_->keep_preloads(now / std::min(1.0, now + bit));
+}
+
 void DrapeSession::step() {
   TOILE_CHECK(phase_ != Phase::kDone);
+  come_back_to_shape();
   const solver::StepForces forces = forces_now();
   const solver::StepReport report = solver_->step(forces);
   ++steps_;

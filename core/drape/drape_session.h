@@ -73,6 +73,8 @@ class DrapeSession : public Session {
   void add_ground(double height);
   void begin_dressed(const std::vector<Vec3>& positions);
   double sew_time() const;
+  double share_out_of_shape() const;
+  void come_back_to_shape();
   void build_solver(solver::ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities);
   solver::ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
   std::vector<solver::constraints::Stitch> stitches_now() const;

@@ -16,6 +16,9 @@ namespace {
 /// Garments are put on by a mesh of this particle distance where theirs is finer: a shape needs no more.
 constexpr double kCoarse = 0.02;   // m
 constexpr int kMostCoarse = 6000;  // particles, about
+/// Where no way of coarser cloth is certified, its ways are tried by that mesh as well, if it is so much
+/// finer: large triangles span folds and limbs that they have to get out of.
+constexpr double kMuchFiner = 0.8;  // of the cloth's own particle distance
 
 /// Layers worn over each other: which of them is inside is known to contact alone.
 bool layered(const pattern::Pattern& pattern) {
@@ -61,11 +64,18 @@ dressing::TriedOn put_on_from(const DrapeInput& input, const mesh::PanelMeshes& 
                               const RunContext& context) {
   const auto fine = sewing::assemble(meshes, placements, {}, {});
   if (!fine) return {};
-  std::optional<sewing::Assembly> coarse;
-  const double distance = coarse_distance(meshes);
-  if (input.settings.particle_distance < distance)
-    coarse = coarse_assembly(input, placements, distance, context);
-  return dressing::put_on(*fine, coarse ? *coarse : *fine, wearer, context, first, effort);
+  const double distance = coarse_distance(meshes), own = input.settings.particle_distance;
+  const auto by_mesh_of = [&](double shape, dressing::Effort left) {
+    const auto other = coarse_assembly(input, placements, shape, context);
+    return dressing::put_on(*fine, other ? *other : *fine, wearer, context, first, left);
+  };
+  if (own < distance) return by_mesh_of(distance, effort);
+  dressing::TriedOn tried = dressing::put_on(*fine, *fine, wearer, context, first, effort);
+  if (tried.on || tried.gave_up || own * kMuchFiner < distance || context.cancelled()) return tried;
+  dressing::TriedOn finer = by_mesh_of(distance, tried.effort);
+  if (finer.on) return finer;
+  tried.effort = finer.effort;
+  return tried;
 }
 
 /// Whether pieces stand at `placements` as they do in the start: a garment that was arranged is arranged so

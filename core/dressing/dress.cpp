@@ -7,6 +7,7 @@
 #include "core/dressing/axis_guard.h"
 #include "core/dressing/clearance.h"
 #include "core/dressing/shape_solver.h"
+#include "core/dressing/shoulders.h"
 #include "core/sewing/rings.h"
 
 namespace toile::dressing {
@@ -180,12 +181,14 @@ void grow(const sewing::Assembly& assembly, const Wearer& wearer, const Dressing
     growing.stay = 0.02;
     growing.hang = kHang;
   }
+  const OnShoulders shoulders(assembly, wearer, sewn.vertex_of, sewn.mesh.vertex_count);
   ShapeSolver solver(sewn.mesh, {}, growing);
   AxisGuard guard(axes_of(wearer.skeleton()), sewn.mesh.triangles, sewn.x);
   for (int i = 0; i <= kGrowing && !context.cancelled(); ++i) {
     if (watch && i % kWatched == 0) watch(unjoined(sewn));
     const SlimFigure figure = wearer.slim(way.slim * (1 - static_cast<double>(i) / kGrowing));
     const std::vector<Vec3> before = sewn.x;
+    shoulders.hold_in(sewn.x);
     solver.pass(sewn.x, {}, &figure);
     if (hangs) stay_up(wearer, before, sewn.x);
     guard.keep(before, sewn.x);
@@ -205,8 +208,9 @@ void make_room(const Wearer& wearer, Sewn& sewn) {
 }
 
 /// The cloth comes back to its shape, as far as that makes no new tangle. False where it is tangled as it is.
-bool come_back(const Wearer& wearer, const DressingWay& way, const RunContext& context, Effort& effort,
-               Sewn& sewn) {
+bool come_back(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
+               const RunContext& context, Effort& effort, Sewn& sewn) {
+  const OnShoulders shoulders(assembly, wearer, sewn.vertex_of, sewn.mesh.vertex_count);
   const SlimFigure whole = wearer.slim(0);
   const collision::Surface surface = collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count);
   AxisGuard guard(axes_of(wearer.skeleton()), sewn.mesh.triangles, sewn.x);
@@ -214,6 +218,8 @@ bool come_back(const Wearer& wearer, const DressingWay& way, const RunContext& c
     ShapeSolver solver(sewn.mesh, {}, {least, 1.02, bending, 0, 0.05, 0});
     for (int i = 0; i < kSpreading; ++i) {
       const std::vector<Vec3> before = x;
+      shoulders.hold_in(x);
+      shoulders.let_down(x);
       solver.pass(x, {}, &whole);
       of_x.keep(before, x);
     }
@@ -259,7 +265,7 @@ Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
   grow(assembly, wearer, way, context, watch, sewn);
   dressed.effort.spend(g.vertex_count(), kSewing + kGrowing + kJudging);
   const bool parted = rings_right(g, unjoined(sewn), wearer.skeleton()) &&
-                      come_back(wearer, way, context, dressed.effort, sewn);
+                      come_back(assembly, wearer, way, context, dressed.effort, sewn);
   if (parted) make_room(wearer, sewn);  // no room makes good what is not on
   for (Index i = 0; i < g.vertex_count(); ++i)
     dressed.positions.push_back(snapped(sewn.x[sewn.vertex_of[i]]));

@@ -110,6 +110,12 @@ void ClothSolver::set_holds(std::vector<constraints::HeldVertex> held) {
   bending_.prepare(inverse_mass_, h_);
 }
 
+void ClothSolver::keep_preloads(double share) {
+  std::vector<Vec3> kept = membrane_.preloads();
+  for (Vec3& p : kept) p = p * share;
+  membrane_.set_preloads(std::move(kept));
+}
+
 SolverState ClothSolver::state() const {
   SolverState now{x_, velocity_, {}, stopped_, stuck_, steps_near_, hits_, membrane_.preloads(), pace_};
   if (detected_) now.contacts = contacts_;
@@ -137,7 +143,7 @@ StepReport ClothSolver::step(const StepForces& forces) {
                 velocity_);
   predict(forces);
   lanes::spread(x_, points_);
-  const bool learns = pace_.due(forces.damping);
+  const bool learns = forces.learns && pace_.due(forces.damping);
   membrane_.solve(points_, learns);
   bending_.solve(points_);
   lanes::collect(points_, x_);

@@ -16,6 +16,7 @@ namespace toile::solver {
 /// What acts on the cloth during a step. May change from step to step.
 struct StepForces {
   double gravity = 9.81;   ///< m/s², downwards
+  bool learns = true;      ///< the membrane learns its preloads, where damping lets it
   double damping = 1;      ///< 1/s, of the velocity, as if in a thick medium; sets the pace of learning, too
   double viscosity = 0;    ///< share of velocity differences that triangles lose in this step, 0 to 1
   double friction = 1;     ///< factor on all coefficients
@@ -65,6 +66,11 @@ class ClothSolver {
   /// What the membrane has learnt, one a triangle; another solver of the same triangles may go on with it.
   const std::vector<Vec3>& preloads() const { return membrane_.preloads(); }
   void set_preloads(std::vector<Vec3> preloads) { membrane_.set_preloads(std::move(preloads)); }
+
+  /// Takes the shape as it is now for the one without stress, by preloads.
+  void rest_here() { membrane_.rest_at(x_); }
+  /// Keeps this share of all preloads.
+  void keep_preloads(double share);
 
   SolverState state() const;
   /// REQUIRES a state of a solver with the same model; holds, stitches and features are not part of it.

@@ -121,4 +121,11 @@ void learn_preloads(std::span<const MembraneTriangle> triangles, std::span<const
   }
 }
 
+std::vector<Vec3> preloads_at_rest(std::span<const MembraneTriangle> triangles, std::span<const Vec3> x) {
+  std::vector<Vec3> preloads;
+  preloads.reserve(triangles.size());
+  for (const MembraneTriangle& t : triangles) preloads.push_back(-strain_at(t, x));
+  return preloads;
+}
+
 }  // namespace toile::solver::constraints

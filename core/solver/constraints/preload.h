@@ -40,4 +40,7 @@ struct LearningPace {
 void learn_preloads(std::span<const MembraneTriangle> triangles, std::span<const Vec3> noted, double h,
                     double share, bool at_last, std::span<const Vec3> x, std::vector<Vec3>& preloads);
 
+/// Preloads with which a membrane has no stress at x (m), in whatever shape it is there.
+std::vector<Vec3> preloads_at_rest(std::span<const MembraneTriangle> triangles, std::span<const Vec3> x);
+
 }  // namespace toile::solver::constraints

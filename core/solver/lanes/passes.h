@@ -34,6 +34,8 @@ class MembranePass {
   /// One Vec3 a triangle.
   const std::vector<Vec3>& preloads() const { return preloads_; }
   void set_preloads(std::vector<Vec3> preloads);
+  /// Takes the shape at x (m) for the one without stress.
+  void rest_at(std::span<const Vec3> x) { set_preloads(constraints::preloads_at_rest(triangles_, x)); }
 
  private:
   void lay_out_preloads();

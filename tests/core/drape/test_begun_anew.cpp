@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <span>
 
+#include "core/drape/drape_session.h"
+#include "core/drape/drape_start.h"
 #include "core/drape/pipeline.h"
 #include "tests/core/arrange/garments.h"
 #include "tests/core/dressing/dressed_person.h"
@@ -58,6 +61,23 @@ TEST(BegunAnew, ASeamThatStaysOpenFromWhereThePiecesStandIsShutByPuttingOn) {
   const drape::DrapeResult sewn = drape::drape(input, {}, nullptr).value();
   EXPECT_FALSE(begun_anew(sewn)) << "who wants it sewn from there gets what comes of that";
   EXPECT_FALSE(sewn.open_seams.empty());
+}
+
+double mean_height(std::span<const Vec3> x) {
+  double sum = 0;
+  for (const Vec3 p : x) sum += p.y;
+  return sum / static_cast<double>(x.size());
+}
+
+TEST(BegunAnew, TightClothThatWasPutOnDoesNotRideUp) {
+  const drape::DrapeInput input = too_tight();
+  const drape::DrapeStart start = drape::prepare_start(input, {}).value();
+  const drape::PutOnTries tries = drape::put_on_after(drape::kSewnInPlace, input, start, {});
+  ASSERT_TRUE(tries.on.has_value());
+  const auto session = drape::DrapeSession::start(input, start.meshes, start.placed, tries.on->positions);
+  EXPECT_EQ(session->positions(), tries.on->positions);
+  while (session->time() < 0.5) session->step();
+  EXPECT_NEAR(mean_height(session->positions()), mean_height(tries.on->positions), 0.01);
 }
 
 TEST(BegunAnew, WhatClosesFromWhereItStandsIsNot) {

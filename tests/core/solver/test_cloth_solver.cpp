@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/units.h"
 #include "tests/core/solver/strip.h"
 
@@ -37,6 +40,38 @@ TEST(ClothSolver, ALooseSheetFallsAsEverythingDoes) {
   solver::ClothSolver solver(strip.model, lying(strip, 1), {}, 1.0 / 2000);
   run(solver, damped(0), 0.4);
   EXPECT_NEAR(mean_height(solver), 1 - 0.5 * 9.81 * 0.16, 2e-3);
+}
+
+double breadth(const solver::ClothSolver& solver) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Vec3& p : solver.positions()) {
+    low = std::min(low, p.x);
+    high = std::max(high, p.x);
+  }
+  return high - low;
+}
+
+TEST(ClothSolver, AShapeTakenForRestHasNoStressUntilItIsLetGoOf) {
+  const test::Strip strip = test::make_strip({0, 100}, 100, 0.02, {0, 1}, material::Fabric{});
+  std::vector<Vec3> x = lying(strip, 1);
+  for (Vec3& p : x) p.x *= 1.3;
+  solver::ClothSolver solver(strip.model, x, {}, 1.0 / 2000);
+  solver::StepForces forces = damped(20);
+  forces.gravity = 0;
+  forces.learns = false;
+  solver.rest_here();
+  run(solver, forces, 0.1);
+  EXPECT_NEAR(breadth(solver), 0.13, 1e-4);
+  const auto come_back = [&](int from, int to) {  // per cent of the way that are left
+    for (int left = from; left > to; --left) {
+      solver.keep_preloads((left - 1.0) / left);
+      run(solver, forces, 0.01);
+    }
+  };
+  come_back(100, 50);
+  EXPECT_NEAR(breadth(solver), 0.115, 2e-3) << "half of the way back";
+  come_back(50, 0);
+  EXPECT_NEAR(breadth(solver), 0.1, 2e-3);
 }
 
 /// A square table of the given size, tilted about z.

@@ -1,0 +1,83 @@
+#include "core/dressing/shoulders.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/dressing/staging.h"
+
+namespace toile::dressing {
+
+namespace {
+
+/// Shares of the ridge from the neck to the shoulder's outer end: collars stand nearer to the neck, sleeves
+/// begin farther out.
+constexpr double kFromNeck = 0.15, kToArm = 1.05, kBeyond = 1.4;
+constexpr double kAcross = 0.04, kBelow = 0.01, kWider = 0.02;  // m from the ridge: to front and back, down
+
+constexpr double kBackIn = 3e-3, kLowering = 4e-3;  // m at a time
+
+/// Where a place is beside the ridge of the shoulder on its side.
+struct AtRidge {
+  double share = -1;  ///< of the way from the neck to the outer end
+  Vec3 off;           ///< m
+};
+
+AtRidge at_ridge(const measure::BodyFigure& figure, Vec3 p) {
+  const std::size_t side = p.x > figure.middle ? measure::kWearersLeft : measure::kWearersRight;
+  const Vec3 neck = figure.neck_side[side], ridge = figure.shoulder[side] - neck;
+  if (ridge.x == 0) return {};
+  const double share = (p.x - neck.x) / ridge.x;
+  return {share, p - (neck + ridge * share)};
+}
+
+}  // namespace
+
+bool is_over_shoulder(const measure::BodyFigure& figure, Vec3 p) {
+  const AtRidge at = at_ridge(figure, p);
+  return at.share > kFromNeck && at.share < kBeyond && std::abs(at.off.z) < kAcross + kWider &&
+         at.off.y > -kBelow - kWider;
+}
+
+std::optional<double> room_over_shoulders(const measure::BodyFigure& figure, const SlimFigure& body,
+                                          std::span<const Vec3> x) {
+  std::optional<double> least;
+  for (const Vec3 p : x) {
+    const AtRidge at = at_ridge(figure, p);
+    if (at.share < kFromNeck || at.share > kToArm || std::abs(at.off.z) > kAcross || at.off.y < -kBelow)
+      continue;
+    least = std::min(least.value_or(HUGE_VAL), std::max(0.0, body.clearance(p)));
+  }
+  return least;
+}
+
+OnShoulders::OnShoulders(const sewing::Assembly& assembly, const Wearer& wearer,
+                         std::span<const Index> vertex_of, Index count)
+    : wearer_(wearer),
+      aside_(static_cast<std::size_t>(count), 0),
+      hangs_(static_cast<std::size_t>(count), false) {
+  const sewing::GarmentMesh& g = assembly.garment;
+  const std::vector<Covers> covers = covers_of(assembly, wearer.figure());
+  for (Index i = 0; i < g.vertex_count(); ++i) {
+    if (covers[static_cast<std::size_t>(g.panel_of_vertex[i])] == Covers::kArm) continue;
+    const Index v = vertex_of[i];
+    hangs_[v] = true;
+    aside_[v] = std::max(aside_[v], std::abs(assembly.positions[i].x - wearer.figure().middle));
+  }
+}
+
+void OnShoulders::hold_in(std::vector<Vec3>& x) const {
+  const double middle = wearer_.figure().middle;
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    const double out = std::abs(x[v].x - middle) - aside_[v];
+    if (!hangs_[v] || out <= 0 || !is_over_shoulder(wearer_.figure(), x[v])) continue;
+    x[v].x += std::copysign(std::min(out, kBackIn), middle - x[v].x);
+  }
+}
+
+void OnShoulders::let_down(std::vector<Vec3>& x) const {
+  const double room = room_over_shoulders(wearer_.figure(), wearer_.slim(0), x).value_or(0);
+  for (std::size_t v = 0; v < x.size(); ++v)
+    if (hangs_[v]) x[v].y -= std::min(kLowering, room);
+}
+
+}  // namespace toile::dressing
