@@ -9,6 +9,7 @@
 #include "core/drape/make_features.h"
 #include "core/drape/make_threads.h"
 #include "core/drape/seam_gaps.h"
+#include "core/dressing/shoulders.h"
 #include "core/solver/constraints/viscosity.h"
 #include "core/warm/warm_start.h"
 
@@ -41,8 +42,8 @@ constexpr double kButtonTolerance = 3e-3;  // m
 constexpr double kSeamLost = 10e-3;  // m
 /// How much calmer cloth must be than at rest before a seam or button is given up as open.
 constexpr double kOpenCalm = 0.2;
-/// Cloth that begins on the body comes back to its shape before gravity comes in, for this share of so long.
-/// All at once it would snap, and throw its straps off the shoulders.
+/// Cloth that begins on the body has so long for itself before gravity comes in. What goes over the shoulders
+/// comes back to its shape in this share of it: all at once it would snap, and throw its straps off.
 constexpr double kEaseTime = 0.4, kBackInShape = 0.8;  // s, 1
 constexpr int kShapeSteps = 8;                         // from one bit of the way back to the next
 constexpr double kWeldInterval = 0.25;                 // s between tries to weld what was left open
@@ -74,7 +75,9 @@ void DrapeSession::begin_dressed(const std::vector<Vec3>& positions) {
   for (std::size_t i = 0; i < positions.size(); ++i) weld.positions[vertex_of_[i]] = positions[i];
   build_solver(model_of(vertex_of_, weld.vertex_count), std::move(weld.positions), {});
   solver_->set_stitches(stitches_now());
-  solver_->rest_here();
+  // Skirts unfold best all at once: nothing of theirs can be thrown off.
+  const auto person = dressing::find_person(input_.bodies);
+  if (person && dressing::goes_over_shoulders(person->figure, positions)) solver_->rest_here();
 }
 
 /// What lets go after a time has let go before.

@@ -38,6 +38,10 @@ bool is_over_shoulder(const measure::BodyFigure& figure, Vec3 p) {
          at.off.y > -kBelow - kWider;
 }
 
+bool goes_over_shoulders(const measure::BodyFigure& figure, std::span<const Vec3> x) {
+  return std::any_of(x.begin(), x.end(), [&](Vec3 p) { return is_over_shoulder(figure, p); });
+}
+
 std::optional<double> room_over_shoulders(const measure::BodyFigure& figure, const SlimFigure& body,
                                           std::span<const Vec3> x) {
   std::optional<double> least;

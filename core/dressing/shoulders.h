@@ -17,6 +17,9 @@ namespace toile::dressing {
 /// Whether a place is above a shoulder's slope, from beside the neck to somewhat beyond its outer end.
 bool is_over_shoulder(const measure::BodyFigure& figure, Vec3 p);
 
+/// Whether any of the cloth is.
+bool goes_over_shoulders(const measure::BodyFigure& figure, std::span<const Vec3> x);
+
 /// How far cloth that goes over a shoulder may come down until some of it lies on one, m. Nothing where no
 /// cloth is above a shoulder: a skirt, a strapless bodice. `body` is the whole figure, not drawn in.
 std::optional<double> room_over_shoulders(const measure::BodyFigure& figure, const SlimFigure& body,

@@ -43,6 +43,8 @@ TEST(Shoulders, TheRoomIsThatOfTheClothNearestToOne) {
   EXPECT_LT(*room(both), *room(far));
   const Vec3 hip{figure().middle + 0.2, figure().hip, 0};
   EXPECT_FALSE(room(std::vector<Vec3>{hip})) << "a skirt hangs from no shoulder";
+  EXPECT_FALSE(dressing::goes_over_shoulders(figure(), std::vector<Vec3>{hip}));
+  EXPECT_TRUE(dressing::goes_over_shoulders(figure(), both));
 }
 
 /// A top whose neckline is a V down to its lower edge, before and behind: only the shoulders hold its straps.
