@@ -75,7 +75,7 @@ describe('the page in German', () => {
   });
 
   it('says all that stands beside the cloth', async () => {
-    for (const [name, file] of [['Schnitt', 'de-2-pattern'], ['Körper', 'de-3-body'], ['Anordnen', 'de-4-arrange'], ['Drapieren', 'de-5-drape']]) {
+    for (const [name, file] of [['Schnitt', 'de-2-pattern'], ['Körper', 'de-3-body'], ['Anordnen', 'de-4-arrange'], ['Verlauf', 'de-5-drape']]) {
       await tab(name).click();
       if (name === 'Körper') await page.getByRole('list', { name: 'Maße' }).or(page.getByText('stehende Person')).waitFor();
       if (name === 'Anordnen') await page.locator('.verdict').waitFor();

@@ -42,8 +42,8 @@ export const patternDigits = (digits: number): number => digits + kPatternUnits[
 export const patternFigure = (mm: number, digits = 1): string => fixed(shownMm(mm), patternDigits(digits));
 export const patternLength = (mm: number, digits = 1): string => `${patternFigure(mm, digits)} ${patternSign()}`;
 
-/** A small length: with one digit more below a centimetre. */
-export const mmSmall = (mm: number): string => patternLength(mm, mm >= 10 ? 1 : 2);
+/** A small length: with one digit more below a centimetre; a thousandth of an inch is fine enough. */
+export const mmSmall = (mm: number): string => patternLength(mm, mm >= 10 || unit.value === 'inch' ? 1 : 2);
 
 // ---- on the body
 

@@ -27,7 +27,7 @@ export const common: Texts['common'] = {
   nothing: 'Keiner',
   noneFound: 'Keine',
   ago: {
-    now: 'gerade eben',
+    now: 'eben',
     minutes: (n) => `vor ${number(n)} min`,
     hours: (n) => `vor ${number(n)} h`,
     days: (n) => `vor ${counted(n, 'Tag', 'Tagen')}`,

@@ -81,7 +81,7 @@ export const frame: Texts['frame'] = {
     pattern: 'Schnitt',
     body: 'Körper',
     arrange: 'Anordnen',
-    drape: 'Drapieren',
+    drape: 'Verlauf',
     result: 'Ergebnis',
   },
   inspector: 'Arbeitsbereich',

@@ -18,7 +18,7 @@ export const imports: Texts['imports'] = {
   mirrored: (n) => `, davon ${n} gespiegelt`,
   unfolded: 'aufgeklappt',
   cutLine: 'entlang der Schnittlinie',
-  noSize: 'Körper ohne Größenangabe',
+  noSize: 'Ohne Größe',
   reportWarnings: (n) => `Bericht, ${counted(n, 'Warnung', 'Warnungen')}`,
   reading: 'Gelesen wird',
   readingWhat: ': Umrisse, Lagen, Knipse, Fadenlauf, Einheit, Nähte …',

@@ -19,7 +19,7 @@ export const names: Texts['names'] = {
   measures: {
     height: 'Körperhöhe',
     bust: 'Oberweite',
-    underbust: 'Unterbrustweite',
+    underbust: 'Unterbrust',
     waist: 'Taille',
     hip: 'Hüfte',
     neck: 'Hals',
