@@ -32,7 +32,7 @@ function Dialog({ close }: { close: () => void }) {
           <Icon name="cross" />
         </button>
       </header>
-      <div class="sheet-body keys">
+      <div class="sheet-body keys" tabIndex={0}>
         {groups.map((group) => (
           <section key={group}>
             <h3>{t.keys.groups[group]}</h3>
