@@ -231,7 +231,7 @@ std::string_view word_of(Fit fit) {
 std::vector<FitLine> fit_table(const drape::DrapeInput& input, const drape::DrapeResult& result) {
   std::vector<FitLine> table;
   if (result.worn == drape::Worn::kNobody || result.positions.empty()) return table;
-  std::optional<dressing::Person> person = dressing::find_person(input.bodies);
+  std::optional<dressing::Person> person = dressing::find_person(result.bodies);
   if (!person) return table;
   take_levels(person->body->mesh, person->figure);
   const Tailor tailor(input, result, *person);

@@ -29,6 +29,7 @@ struct Contact {
   double rest = 0;
   double friction = 0;
   double restitution = 0;
+  Vec3 carried = {};  ///< m/s, of the solid there: friction goes by what the cloth moves against it
 };
 
 /// A half-space that a vertex stays in: n·(x − x0) ≥ −slack, x0 the centre. Less than 0 where a pair was

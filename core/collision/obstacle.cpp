@@ -5,25 +5,55 @@
 #include <map>
 #include <utility>
 
+#include "core/base/check.h"
+
 namespace toile::collision {
 
 namespace {
 
+std::vector<std::array<Index, 3>> edges_of_faces(const Surface& surface) {
+  std::map<std::array<Index, 2>, Index> edge_between;  // the lesser end first
+  for (std::size_t e = 0; e < surface.edges.size(); ++e) {
+    const auto [i, j] = surface.edges[e];
+    edge_between[{std::min(i, j), std::max(i, j)}] = static_cast<Index>(e);
+  }
+  std::vector<std::array<Index, 3>> edges;
+  edges.reserve(surface.triangles.size());
+  const auto between = [&](Index i, Index j) { return edge_between.at({std::min(i, j), std::max(i, j)}); };
+  for (const auto& [a, b, c] : surface.triangles)
+    edges.push_back({between(a, b), between(b, c), between(c, a)});
+  return edges;
+}
+
 /// A null vector where there is none.
 void lay_normals(Obstacle& obstacle) {
   const Surface& surface = obstacle.surface;
-  obstacle.vertex_normals.resize(obstacle.vertices.size());
-  std::map<std::array<Index, 2>, Vec3> sums;  // by ends, the lesser first
-  for (const auto& [a, b, c] : surface.triangles) {
+  obstacle.vertex_normals.assign(obstacle.vertices.size(), {});
+  obstacle.edge_normals.assign(surface.edges.size(), {});
+  obstacle.face_normals.clear();
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
     const Vec3 p = obstacle.vertices[a];
     const Vec3 n = normalized(cross(obstacle.vertices[b] - p, obstacle.vertices[c] - p));
     obstacle.face_normals.push_back(n);
     for (const Index v : {a, b, c}) obstacle.vertex_normals[v] += n;
-    for (const auto& [i, j] : {std::pair{a, b}, {b, c}, {c, a}}) sums[{std::min(i, j), std::max(i, j)}] += n;
+    for (const Index e : obstacle.edges_of_face[t]) obstacle.edge_normals[e] += n;
   }
   for (Vec3& n : obstacle.vertex_normals) n = normalized(n);
-  for (const auto& [i, j] : surface.edges)
-    obstacle.edge_normals.push_back(normalized(sums[{std::min(i, j), std::max(i, j)}]));
+  for (Vec3& n : obstacle.edge_normals) n = normalized(n);
+}
+
+/// All that follows from where its vertices are.
+void lay(Obstacle& obstacle) {
+  const Surface& surface = obstacle.surface;
+  const std::vector<Vec3>& x = obstacle.vertices;
+  obstacle.boxes.vertices.resize(x.size());
+  for (const Index v : surface.vertices)
+    obstacle.boxes.vertices[v] = geometry::box_around({x[v]}, obstacle.skin_offset);
+  obstacle.boxes.lay_around(surface);
+  obstacle.edge_lines.clear();
+  for (const auto& [a, b] : surface.edges) obstacle.edge_lines.push_back(edge_line(x[a], x[b], 0));
+  lay_normals(obstacle);
 }
 
 void lay_groups(geometry::BoxGroups& groups, std::span<const geometry::Box3> boxes) {
@@ -69,19 +99,18 @@ Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> tria
   Obstacle obstacle;
   obstacle.vertices.assign(vertices.begin(), vertices.end());
   obstacle.surface = make_surface(triangles, static_cast<Index>(vertices.size()));
-  obstacle.boxes.vertices.resize(vertices.size());
-  for (const Index v : obstacle.surface.vertices) {
-    obstacle.boxes.vertices[v] = geometry::box_around({vertices[v]}, skin_offset);
-  }
-  obstacle.boxes.lay_around(obstacle.surface);
-  for (const auto& [a, b] : obstacle.surface.edges) {
-    obstacle.edge_lines.push_back(edge_line(vertices[a], vertices[b], 0));
-  }
-  lay_normals(obstacle);
+  obstacle.edges_of_face = edges_of_faces(obstacle.surface);
   obstacle.friction = friction;
   obstacle.skin_offset = skin_offset;
   obstacle.restitution = restitution;
+  lay(obstacle);
   return obstacle;
+}
+
+void move_obstacle(Obstacle& obstacle, std::span<const Vec3> vertices) {
+  TOILE_CHECK(vertices.size() == obstacle.vertices.size());
+  obstacle.vertices.assign(vertices.begin(), vertices.end());
+  lay(obstacle);
 }
 
 }  // namespace toile::collision

@@ -1,6 +1,7 @@
 #pragma once
 // A solid as contact sees it.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct FeatureBoxes {
   void lay_face(const Surface& surface, Index t);
 };
 
-/// Does not move.
+/// Stands still while the cloth makes a step; moves between two.
 struct Obstacle {
   std::vector<Vec3> vertices;
   Surface surface;
@@ -36,11 +37,16 @@ struct Obstacle {
   std::vector<EdgeLine> edge_lines;
   /// Outwards; those of vertices and edges are the means of their faces'.
   std::vector<Vec3> vertex_normals, edge_normals, face_normals;
-  double friction = 0.4;      ///< Coulomb
-  double skin_offset = 1e-3;  ///< m
-  double restitution = 0;     ///< share of the speed of a impact that cloth leaves with
+  std::vector<std::array<Index, 3>> edges_of_face;
+  std::vector<Vec3> velocities;  ///< m/s, one a vertex: what rubs on it is carried along; empty: none
+  double friction = 0.4;         ///< Coulomb
+  double skin_offset = 1e-3;     ///< m
+  double restitution = 0;        ///< share of the speed of a impact that cloth leaves with
 };
 Obstacle make_obstacle(std::span<const Vec3> vertices, std::span<const Tri> triangles, double friction,
                        double skin_offset, double restitution = 0);
+/// Puts it elsewhere, or gives it another shape: `vertices` (m), as many as it has. Where it may go without
+/// touching cloth is for core/collision/obstacle_way.h to say.
+void move_obstacle(Obstacle& obstacle, std::span<const Vec3> vertices);
 
 }  // namespace toile::collision

@@ -1,8 +1,9 @@
 #include "core/collision/pair_measure.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "core/geometry/distance.h"
+#include "core/collision/nearest.h"
 
 namespace toile::collision {
 
@@ -45,22 +46,12 @@ Separation flattest(const Separation& between, Vec3 normal, Vec3 q, Vec3 lowest,
   return {normal, dot(normal, q), gap, true};
 }
 
-struct OnTriangle {
-  geometry::TrianglePoint at;
-  Vec3 q;
-};
-OnTriangle nearest_on(Vec3 p, std::span<const Vec3> x, const Tri& t) {
-  const geometry::TrianglePoint at = geometry::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]);
-  return {at, x[t[0]] * at.a + x[t[1]] * at.b + x[t[2]] * at.c};
-}
-
-struct BetweenEdges {
-  geometry::EdgePoints at;
-  Vec3 p, q;
-};
-BetweenEdges nearest_between(Vec3 p0, Vec3 p1, Vec3 q0, Vec3 q1) {
-  const geometry::EdgePoints at = geometry::closest_on_edges(p0, p1, q0, q1);
-  return {at, p0 + (p1 - p0) * at.s, q0 + (q1 - q0) * at.t};
+/// m/s, of a place on a solid that moves, by shares of its vertices.
+Vec3 velocity_at(const Obstacle& obstacle, std::initializer_list<std::pair<Index, double>> shares) {
+  Vec3 v;
+  if (obstacle.velocities.empty()) return v;
+  for (const auto& [vertex, share] : shares) v += obstacle.velocities[vertex] * share;
+  return v;
 }
 
 bool inside_both(geometry::EdgePoints at) { return at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1; }
@@ -128,6 +119,8 @@ void PairMeasure::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, Ind
   contact.rest = obstacle.skin_offset;
   contact.friction = obstacle.friction;
   contact.restitution = obstacle.restitution;
+  contact.carried =
+      velocity_at(obstacle, {{corners[0], there.at.a}, {corners[1], there.at.b}, {corners[2], there.at.c}});
   out_.vertex_contacts[vertex].push_back({pair, gap, false, contact});
 }
 
@@ -157,7 +150,8 @@ void PairMeasure::obstacle_vertex_on_cloth(const Obstacle& obstacle, Index their
                           dot(n, point),
                           kRimShare * obstacle.skin_offset,
                           obstacle.friction,
-                          obstacle.restitution}});
+                          obstacle.restitution,
+                          velocity_at(obstacle, {{theirs, 1}})}});
   }
 }
 
@@ -188,7 +182,9 @@ void PairMeasure::edge_on_obstacle(const Obstacle& obstacle, std::array<Index, 2
                           dot(n, q),
                           kRimShare * obstacle.skin_offset,
                           obstacle.friction,
-                          obstacle.restitution}});
+                          obstacle.restitution,
+                          velocity_at(obstacle, {{obstacle.surface.edges[theirs][0], 1 - at.t},
+                                                 {obstacle.surface.edges[theirs][1], at.t}})}});
   }
 }
 

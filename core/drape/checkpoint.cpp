@@ -76,6 +76,17 @@ void fields(Archive& a, RunState& run) {
   a.value(s.probe.step);
   a.value(s.probe.failed);
   a.value(s.probe.from);
+  a.value(s.motion.phase);
+  a.value(s.motion.played);
+  a.value(s.motion.before);
+  a.value(s.motion.waited);
+  a.value(s.motion.marked);
+  a.value(s.motion.since);
+  a.value(s.motion.hoped);
+  a.value(s.motion.steps);
+  a.value(s.motion.pace);
+  a.value(s.motion.over);
+  a.value(s.motion.tight);
   a.value(s.paper.positions);
   a.value(s.paper.previous);
   a.value(s.paper.bent);
@@ -136,6 +147,13 @@ bool sound(const ProbeState& probe, std::size_t vertices) {
          all_within(probe.from, kFarthest);
 }
 
+bool sound(const MotionState& m, std::size_t vertices) {
+  return m.phase <= MotionState::Phase::kOver &&
+         all_times(m.played, m.before, m.waited, m.marked, m.since, m.hoped) && m.before <= m.played &&
+         all_counts(m.steps, m.over) && m.pace >= 1 && m.pace <= kMostSteps &&
+         (m.tight == kNone || (m.tight >= 0 && static_cast<std::size_t>(m.tight) < vertices));
+}
+
 bool sound(const SessionState& s) {
   const std::size_t of_solver = s.solver.positions.size();
   const std::size_t of_paper = s.paper.positions.size(), n = of_solver + of_paper;
@@ -146,8 +164,8 @@ bool sound(const SessionState& s) {
          all_counts(s.steps, s.watch.step, s.solver.hits, s.solver.pace.steps, s.slackened) &&
          all_times(s.time, s.begun, s.phase_start + kLongestRamp, s.last_weld, s.solver.pace.learnt) &&
          s.solver.velocities.size() == of_solver && sound_contacts(s.solver.contacts, of_solver) &&
-         sound_bounds(s.solver) && sound(s.probe, of_solver) && s.watch.window_start.size() == n &&
-         s.watch.mark.size() == n && sound_ways(s.watch.ways, n) &&
+         sound_bounds(s.solver) && sound(s.probe, of_solver) && sound(s.motion, of_solver) &&
+         s.watch.window_start.size() == n && s.watch.mark.size() == n && sound_ways(s.watch.ways, n) &&
          s.watch.rms.size() <= SettleState::kMostWindows &&
          s.watch.rates.size() <= SettleState::kMostWindows && all_speeds(s.watch.rates) &&
          all_speeds(s.off_at_release) && all_speeds(s.watch.rms) &&

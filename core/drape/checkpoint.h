@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/drape/body_motion.h"
 #include "core/drape/drape_result.h"
 #include "core/drape/rest_probe.h"
 #include "core/drape/settle.h"
@@ -29,7 +30,7 @@ namespace toile::drape {
 
 /// Rises when the fields change, and whenever a change of the engine gives a drape other bytes: a drape begun
 /// by one engine and ended by another would be neither's.
-inline constexpr std::uint32_t kCheckpointVersion = 19;
+inline constexpr std::uint32_t kCheckpointVersion = 20;
 
 enum class DrapePhase : std::uint8_t { kSew, kDrape, kDone };
 
@@ -55,6 +56,7 @@ struct SessionState {
   SettleState watch;
   solver::SolverState solver;
   ProbeState probe;
+  MotionState motion;
   paper::PaperState paper;  ///< in place of the solver's, of a drape by that method
 };
 

@@ -18,8 +18,9 @@ void contact_value(Archive& a, collision::Contact& c) {
   a.value(c.rest);
   a.value(c.friction);
   a.value(c.restitution);
+  a.value(c.carried);
 }
-constexpr std::size_t kContactBytes = 5 * sizeof(Index) + 11 * sizeof(double);
+constexpr std::size_t kContactBytes = 5 * sizeof(Index) + 14 * sizeof(double);
 
 template <typename Archive>
 void fields(Archive& a, collision::Contacts& c) {
@@ -61,7 +62,7 @@ bool sound_contact(const collision::Contact& c, std::size_t vertex_count) {
     if (c.v[k] < 0 || static_cast<std::size_t>(c.v[k]) >= vertex_count || !within(c.w[k], 2)) return false;
   }
   return within(c.n, 2) && within(c.c, 2 * kFarthest) && c.rest >= 0 && c.rest <= kFarthest &&
-         within(c.friction, kFarthest) && within(c.restitution, kFarthest);
+         within(c.friction, kFarthest) && within(c.restitution, kFarthest) && within(c.carried, kFarthest);
 }
 
 bool sound_pair(const collision::ListedPair& pair, std::size_t vertex_count) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/types.h"
+#include "core/body/body.h"
 #include "core/drape/stop_reason.h"
 #include "core/preflight/finding.h"
 #include "core/sewing/garment_mesh.h"
@@ -17,8 +18,9 @@ namespace toile::drape {
 struct Frame {
   int step = 0;
   double time = 0;              ///< s of simulated time
-  std::string phase;            ///< "sew", "drape"
+  std::string phase;            ///< "sew", "drape", "move"
   std::vector<Vec3> positions;  ///< m, of GarmentMesh's vertices
+  double bodies = 0;            ///< s of the bodies' motion that have been played
 };
 
 /// Crossings of triangles, counted exactly (a triangle's edge through another's interior).
@@ -32,6 +34,17 @@ struct HoldFigures {
   bool released = false;
   double released_at = 0;  ///< s of simulated time
   double off = 0;          ///< m, from where it should be, at most: when it was released, or else at the end
+};
+
+/// What became of the bodies' motion.
+struct MotionFigures {
+  bool whole = true;    ///< played to its end, or there was none
+  double share = 1;     ///< of its time that was played
+  double played = 0;    ///< s, that time
+  double waited = 0;    ///< s, for cloth that could not give way
+  Index panel = kNone;  ///< that was too tight where it was stopped
+  double way_left = 0;  ///< m, that the body still had to go there
+  Vec3 place;           ///< m, where that is
 };
 
 /// A seam that did not close.
@@ -68,6 +81,7 @@ struct DrapeResult {
   std::vector<OpenSeam> open_seams;
   Worn worn = Worn::kNobody;
   std::vector<HoldFigures> holds;  ///< one for each attachment
+  std::vector<body::Body> bodies;  ///< of the input, as they stand at the end
   warm::HungGarment hung;          ///< for another drape to go on from
 
   bool settled() const { return stop_reason.kind == Stop::kSettled; }

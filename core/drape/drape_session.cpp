@@ -112,6 +112,8 @@ void DrapeSession::begin_anew(const std::vector<Vec3>& dressed, std::optional<do
   released_.assign(released_.size(), false);
   off_at_release_.assign(off_at_release_.size(), 0);
   slackened_ = 0;
+  motion_.reset(obstacles_);
+  bodies_moved_ = true;
   begun_ = phase_start_ = last_weld_ = time_;
   begin_dressed(dressed);
 }
@@ -135,7 +137,8 @@ DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& mes
       released_(input.attachments.size(), false),
       off_at_release_(input.attachments.size(), 0),
       watch_(input.settings.time_step, input.settings.settle_speed),
-      probe_(input.settings.time_step, input.settings.settle_speed) {
+      probe_(input.settings.time_step, input.settings.settle_speed),
+      motion_(input.bodies, input.settings.time_step) {
   for (const mesh::PanelMesh& mesh : meshes.panels) warps_.push_back(mesh.warp);
   for (const body::Body& body : input.bodies) {
     obstacles_.push_back(collision::make_obstacle(body.mesh.vertices, body.mesh.triangles, body.friction,
@@ -216,10 +219,12 @@ SessionState DrapeSession::state() const {
   for (std::size_t i = 0; i < joined.size(); ++i) {
     joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
   }
-  return {phase_,         began_,    lost_,           stop_reason_,   steps_,
-          time_,          begun_,    phase_start_,    last_weld_,     slackened_,
-          joined,         released_, off_at_release_, watch_.state(), solver_->state(),
-          probe_.state(), {}};
+  return {phase_,          began_,          lost_,
+          stop_reason_,    steps_,          time_,
+          begun_,          phase_start_,    last_weld_,
+          slackened_,      joined,          released_,
+          off_at_release_, watch_.state(),  solver_->state(),
+          probe_.state(),  motion_.state(), {}};
 }
 
 Status DrapeSession::restore(SessionState state) {
@@ -240,9 +245,11 @@ Status DrapeSession::restore(SessionState state) {
   off_at_release_ = state.off_at_release;
   build_solver(model_of(vertex_of_, weld.vertex_count), state.solver.positions, {});
   solver_->set_stitches(stitches_now());
-  solver_->restore(std::move(state.solver));
   watch_.restore(std::move(state.watch));
   probe_.restore(std::move(state.probe));
+  motion_.restore(state.motion, solver_->model(), obstacles_);
+  solver_->restore(std::move(state.solver));  // among the bodies as they were
+  bodies_moved_ = true;
   phase_ = state.phase;
   stop_reason_ = std::move(state.stop_reason);
   if (stop_reason_)
@@ -272,6 +279,7 @@ void DrapeSession::come_back_to_shape() {
 void DrapeSession::step() {
   TOILE_CHECK(phase_ != Phase::kDone);
   come_back_to_shape();
+  if (motion_.is_going()) move_bodies();
   const solver::StepForces forces = forces_now();
   const solver::StepReport report = solver_->step(forces);
   ++steps_;
@@ -345,6 +353,7 @@ void DrapeSession::weld_what_closed() {
 }
 
 void DrapeSession::settle_or_stop() {
+  if (motion_.is_going()) return;
   weld_what_closed();
   bool holding = false;
   for (std::size_t a = 0; a < released_.size(); ++a) {
@@ -358,17 +367,65 @@ void DrapeSession::settle_or_stop() {
     solver_->set_features(features_now());
     watch_.restart(solver_->positions());
   }
+  if (dynamic() && time_ >= time_of_full_gravity() && begins_to_move()) return;
   const bool out_of_time = time_ >= begun_ + input_.settings.max_time;
   const double calm = is_let_go_first() && !out_of_time ? kSeemingCalm : 1;  // no time is left to let it go
   const bool may_rest =
       input_.settings.until_settled && !holding && time_ >= phase_start_ + kSoonestRest && lies_still(calm);
   if (probe_.on()) {
-    if (stays_when_let_go()) return end(stop_at_rest());
+    if (stays_when_let_go()) return begins_to_move() ? void() : end(stop_at_rest());
   } else if (may_rest && (out_of_time || nothing_closes())) {
-    if (out_of_time || !is_let_go_first()) return end(stop_at_rest());
+    if (out_of_time || !is_let_go_first()) return begins_to_move() ? void() : end(stop_at_rest());
     let_go();
   }
-  if (out_of_time) end(Stop::kTime);
+  if (out_of_time && !begins_to_move()) end(Stop::kTime);
+}
+
+/// Bodies move once the cloth hangs, or has had its time; then it comes to rest anew.
+bool DrapeSession::begins_to_move() {
+  if (!motion_.is_to_come()) return false;
+  probe_.restart();
+  motion_.begin(solver_->model(), solver_->positions());
+  return true;
+}
+
+void DrapeSession::move_bodies() {
+  if (!motion_.move(solver_->positions(), obstacles_)) return;
+  solver_->note_moved_obstacles();
+  bodies_moved_ = true;
+  if (motion_.is_going()) return;
+  if (!dynamic()) begun_ = time_;
+  watch_.restart(solver_->positions());
+}
+
+std::vector<std::vector<Vec3>> DrapeSession::moved_bodies() const {
+  std::vector<std::vector<Vec3>> moved(input_.bodies.size());
+  for (std::size_t b = 0; b < moved.size(); ++b) {
+    if (motion_.moves(b)) moved[b] = motion_.vertices(b);
+  }
+  return moved;
+}
+
+MotionFigures DrapeSession::motion() const {
+  MotionFigures figures{
+      motion_.is_whole(), motion_.share(), motion_.state().played, motion_.state().waited, kNone, 0, {}};
+  const Index tight = motion_.state().tight;
+  if (figures.whole || tight == kNone) return figures;
+  figures.place = solver_->positions()[tight];
+  figures.way_left = motion_.way_left_near(figures.place);
+  const auto at = std::find(vertex_of_.begin(), vertex_of_.end(), tight);
+  figures.panel = assembly_.garment.panel_of_vertex[static_cast<std::size_t>(at - vertex_of_.begin())];
+  return figures;
+}
+
+CrossingCount DrapeSession::count_crossings() {
+  if (std::exchange(bodies_moved_, false)) {
+    const std::vector<std::vector<Vec3>> moved = moved_bodies();
+    for (std::size_t b = 0; b < moved.size(); ++b) {
+      if (motion_.moves(b)) crossings_.move_body(b, moved[b]);
+    }
+  }
+  return crossings_.count(positions());
 }
 
 /// From a standstill, in true motion: what stays then is at rest.
@@ -399,6 +456,7 @@ Progress DrapeSession::progress() const {
   const double since = time_ - phase_start_;
   if (phase_ == Phase::kSew) return {"sew", std::min(1.0, since / sew_time())};
   if (phase_ == Phase::kDone) return {"drape", 1};
+  if (motion_.is_going()) return {"move", motion_.share()};
   const double left = std::max(1e-3, begun_ + input_.settings.max_time - phase_start_);
   return {"drape", std::min(1.0, since / left)};
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/base/run_context.h"
+#include "core/drape/body_motion.h"
 #include "core/drape/checkpoint.h"
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
@@ -59,11 +60,13 @@ class DrapeSession : public Session {
   double max_speed() const override { return watch_.max_speed(); }
   double seam_gap() const override;
   std::vector<OpenSeam> open_seams() const override;
+  std::vector<std::vector<Vec3>> moved_bodies() const override;
+  MotionFigures motion() const override;
   std::vector<HoldFigures> holds() const override;
 
   std::vector<Vec3> positions() const override;
   const std::vector<Vec3>& start_positions() const override { return assembly_.positions; }
-  CrossingCount count_crossings() override { return crossings_.count(positions()); }
+  CrossingCount count_crossings() override;
 
  private:
   using Phase = DrapePhase;
@@ -88,6 +91,8 @@ class DrapeSession : public Session {
   void let_go_of_lost_seams();
   std::vector<double> pair_gaps() const;
   void settle_or_stop();
+  bool begins_to_move();
+  void move_bodies();
   double time_of_full_gravity() const;
   bool dynamic() const;
   void let_go_of_timed_holds();
@@ -118,6 +123,8 @@ class DrapeSession : public Session {
   std::optional<StopReason> stop_reason_;  ///< while phase_ is kDone
   SettleWatch watch_;
   RestProbe probe_;
+  BodyMotion motion_;
+  bool bodies_moved_ = false;  ///< since crossings were counted last
   int steps_ = 0;
   double time_ = 0, begun_ = 0, phase_start_ = 0, last_weld_ = 0;
   int welded_at_ = -1;  ///< step of the last weld; not kept by checkpoints, which lie between steps

@@ -9,6 +9,10 @@ void GarmentCrossings::add_body(std::span<const Vec3> vertices, std::span<const 
   bodies_.push_back(collision::make_crossing_body(vertices, triangles));
 }
 
+void GarmentCrossings::move_body(std::size_t body, std::span<const Vec3> vertices) {
+  bodies_[body] = collision::make_crossing_body(vertices, bodies_[body].triangles);
+}
+
 CrossingCount GarmentCrossings::count(std::span<const Vec3> x) {
   CrossingCount count;
   counter_.place(x);

@@ -15,6 +15,8 @@ class GarmentCrossings {
   explicit GarmentCrossings(const sewing::GarmentMesh& garment);
 
   void add_body(std::span<const Vec3> vertices, std::span<const Tri> triangles);
+  /// One that was added, by its number, is elsewhere.
+  void move_body(std::size_t body, std::span<const Vec3> vertices);
   const std::vector<collision::CrossingBody>& bodies() const { return bodies_; }
   /// `x`: m, of the garment's vertices.
   CrossingCount count(std::span<const Vec3> x);

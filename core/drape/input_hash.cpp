@@ -74,9 +74,14 @@ void write_one(StateWriter& out, const geometry::TriangleMesh& mesh) {
   const auto& [vertices, triangles] = mesh;
   write(out, vertices, triangles);
 }
+void write_one(StateWriter& out, const body::Keyframe& keyframe) {
+  const auto& [at, vertices] = keyframe;
+  write(out, at, vertices);
+}
 void write_one(StateWriter& out, const body::Body& body) {
-  const auto& [id, mesh, friction, skin_offset, restitution, notes] = body;  // notes are words
+  const auto& [id, mesh, friction, skin_offset, restitution, motion, notes] = body;  // notes are words
   write(out, id, mesh, friction, skin_offset, restitution);
+  if (!motion.empty()) write(out, motion);  // all others keep their hash
 }
 void write_one(StateWriter& out, const sewing::Attachment& attachment) {
   const auto& [id, panel, edges, hold, release_after, points, goal] = attachment;

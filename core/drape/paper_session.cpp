@@ -227,6 +227,8 @@ std::string left_out_by_paper(const DrapeInput& input) {
   if (!input.notions.creases.empty()) kinds.push_back("creases");
   if (!input.notions.cushions.empty()) kinds.push_back("cushions");
   if (input.settings.air.density > 0) kinds.push_back("air");
+  if (std::any_of(input.bodies.begin(), input.bodies.end(), [](const auto& b) { return !b.motion.empty(); }))
+    kinds.push_back("bodies that move");
   std::string words;
   for (const std::string& kind : kinds) words += (words.empty() ? "" : ", ") + kind;
   return words;

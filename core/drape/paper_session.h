@@ -45,6 +45,10 @@ class PaperSession : public Session {
   double max_speed() const override { return watch_.max_speed(); }
   double seam_gap() const override;
   std::vector<OpenSeam> open_seams() const override;
+  std::vector<std::vector<Vec3>> moved_bodies() const override {
+    return std::vector<std::vector<Vec3>>(input_.bodies.size());
+  }
+  MotionFigures motion() const override { return {}; }
   std::vector<HoldFigures> holds() const override;
 
   std::vector<Vec3> positions() const override { return cloth_.positions(); }

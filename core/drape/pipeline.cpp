@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/stopwatch.h"
+#include "core/base/text.h"
 #include "core/drape/drape_session.h"
 #include "core/drape/fit_start.h"
 #include "core/drape/input_hash.h"
@@ -58,6 +59,7 @@ std::vector<double> tops_where_begun(const sewing::Assembly& placed, std::span<c
 }
 
 constexpr double kOffGround = 1.5e-3;  // m, that cloth starts above the ground at least
+constexpr double kWorthTelling = 0.1;  // s, that bodies waited
 constexpr std::size_t kMostId = 200;   // bytes of a seam's id within a sentence
 
 /// The floor that the person stands on, where all of the cloth starts above it; what was put on does.
@@ -68,6 +70,22 @@ std::optional<double> ground_under(const DrapeInput& input, const DrapeStart& st
   const bool above =
       on_body || std::all_of(x.begin(), x.end(), [&](Vec3 p) { return p.y > floor + kOffGround; });
   return above ? std::optional(floor) : std::nullopt;
+}
+
+/// Those of the input, as they stand now.
+std::vector<body::Body> bodies_now(const DrapeInput& input, const Session& session) {
+  std::vector<body::Body> bodies = input.bodies;
+  std::vector<std::vector<Vec3>> moved = session.moved_bodies();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!moved[b].empty()) bodies[b].mesh.vertices = std::move(moved[b]);
+    bodies[b].motion.clear();
+  }
+  return bodies;
+}
+
+bool any_moves(const DrapeInput& input) {
+  return std::any_of(input.bodies.begin(), input.bodies.end(),
+                     [](const body::Body& body) { return !body.motion.empty(); });
 }
 
 /// Why another start is tried, as it is told.
@@ -222,8 +240,10 @@ bool DrapeRun::ends_badly() const {
   if (!session_->done()) return session_->lost_seams();
   const std::vector<OpenSeam> open = session_->open_seams();
   if (!open.empty() || session_->stop_reason()->kind == Stop::kNotFinite) return true;
+  const std::vector<body::Body> bodies = bodies_now(input(), *session_);
   const WornVerdict verdict =
-      judge_worn(input(), person_, result_.garment, session_->positions(), tops_, open);
+      judge_worn(input(), any_moves(input()) ? dressing::find_person(bodies) : person_, result_.garment,
+                 session_->positions(), tops_, open);
   const auto told = [&](preflight::FindingKind kind) {
     return std::any_of(verdict.findings.begin(), verdict.findings.end(),
                        [&](const preflight::Finding& f) { return f.kind == kind; });
@@ -264,7 +284,7 @@ void DrapeRun::record_frame() {
   recorded_ = session_->steps();
   if (sink_) {
     sink_->frame({session_->steps(), session_->time(), std::string(session_->progress().phase),
-                  session_->positions()});
+                  session_->positions(), session_->motion().played});
   }
 }
 
@@ -296,6 +316,33 @@ void DrapeRun::tell_what_is_left_open(DrapeResult& result) const {
   }
 }
 
+/// What the bodies' motion came to, where it did not go as told.
+void DrapeRun::tell_motion(DrapeResult& result) const {
+  using preflight::FindingKind;
+  const MotionFigures motion = session_->motion();
+  const auto tenths = [](double s) { return fixed_text(s, 1) + " s"; };
+  if (motion.whole) {
+    if (motion.waited < kWorthTelling) return;
+    result.findings.push_back(preflight::found(
+        FindingKind::kBodyWaited,
+        "the body waited " + tenths(motion.waited) + " for cloth that was in its way", {}, {}));
+    return;
+  }
+  if (!session_->done()) return;  // it was going to
+  const int percent = static_cast<int>(100 * motion.share);
+  std::string message = "the body stopped after " + std::to_string(percent) +
+                        " % of its motion, since the cloth could not give way any more";
+  preflight::Concerns about;
+  if (motion.panel != kNone) {
+    message += ": there it still had " + preflight::length_text(motion.way_left) +
+               " to go; a wider piece, a softer fabric or less motion lets it through";
+    about.push_back(
+        preflight::piece_named(input().pattern.panels[static_cast<std::size_t>(motion.panel)].id));
+  }
+  result.findings.push_back(
+      preflight::found(FindingKind::kBodyStopped, std::move(message), std::move(about), motion.place));
+}
+
 DrapeResult DrapeRun::conclude() {
   {
     const GoTimer timer(result_);
@@ -311,8 +358,11 @@ DrapeResult DrapeRun::conclude() {
   result.seam_gap_max = session_->seam_gap();
   result.open_seams = session_->open_seams();
   tell_what_is_left_open(result);
+  result.bodies = bodies_now(input(), *session_);
   WornVerdict verdict =
-      judge_worn(input(), person_, result.garment, result.positions, tops_, result.open_seams);
+      judge_worn(input(), any_moves(input()) ? dressing::find_person(result.bodies) : person_, result.garment,
+                 result.positions, tops_, result.open_seams);
+  tell_motion(result);
   result.worn = verdict.worn;
   std::move(verdict.findings.begin(), verdict.findings.end(), std::back_inserter(result.findings));
   if (session_->began() == Began::kWarm)

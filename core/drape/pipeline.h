@@ -43,7 +43,7 @@ class DrapeRun {
   bool done() const { return session_->done() && !ended_badly_; }
   /// At most `max_steps` substeps: fewer when the drape is done or the context is cancelled before. Where
   /// seams do not close, or the garment does not end where it is worn, it begins anew from the next certified
-  /// start, once; steps and time count on. Progress phases: "sew", "drape", "dress". Gives
+  /// start, once; steps and time count on. Progress phases: "sew", "drape", "move", "dress". Gives
   /// back the number of substeps taken.
   int advance(int max_steps, const RunContext& context);
   /// What there is, finished or not; stop_reason is kCancelled for a drape that is not done. Records a last
@@ -71,6 +71,7 @@ class DrapeRun {
   void begin_anew(const RunContext& context);
   void tell_left_out_by_paper();
   void tell_what_is_left_open(DrapeResult& result) const;
+  void tell_motion(DrapeResult& result) const;
   void record_frame();
 
   const DrapeInput& given_;

@@ -51,6 +51,9 @@ class Session {
   virtual double max_speed() const = 0;
   virtual double seam_gap() const = 0;  ///< m, the largest
   virtual std::vector<OpenSeam> open_seams() const = 0;
+  /// m, of each body as it is now; empty lists of those that do not move.
+  virtual std::vector<std::vector<Vec3>> moved_bodies() const = 0;
+  virtual MotionFigures motion() const = 0;
   virtual std::vector<HoldFigures> holds() const = 0;  ///< one for each attachment
 
   virtual std::vector<Vec3> positions() const = 0;  ///< m, of the garment's vertices

@@ -49,6 +49,8 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTable{{
     {kFromThePieces, "start.from_the_pieces", kNote, kNote, kPlacement, false},
     {kGivenUp, "start.given_up", kWarning, kWarning, kPattern, false},
     {kMethodWithout, "method.without", kWarning, kWarning, kPattern, false},
+    {kBodyStopped, "body.stopped", kWarning, kWarning, kPattern, false},
+    {kBodyWaited, "body.waited", kNote, kNote, kPattern, false},
     {kOverLimit, "strain.over_limit", kNote, kNote, kPattern, false},
     {kTooTight, "fit.too_tight", kWarning, kWarning, kPattern, false},
 }};

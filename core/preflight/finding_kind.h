@@ -56,6 +56,8 @@ enum class FindingKind : std::uint8_t {
   kFromThePieces,
   kGivenUp,
   kMethodWithout,
+  kBodyStopped,
+  kBodyWaited,
   kOverLimit,
   kTooTight,
 };

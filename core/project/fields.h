@@ -78,6 +78,19 @@ void describe(Visitor& v, project::ProjectLandmark& landmark) {
 }
 
 template <typename Visitor>
+void describe(Visitor& v, project::ProjectKeyframe& keyframe) {
+  v.object("keyframe",
+           "A shape that a body comes to while the cloth hangs on it: another pose or size of its mesh, with "
+           "the same vertices and triangles in the same order.");
+  v.field("after_s", keyframe.after_s,
+          "s after the body begins to move; later than the keyframe before it. Default 1.", Need::kOptional,
+          Range{1e-3, 600});
+  v.file("file", keyframe.file, "Read and placed as the body's own.");
+  v.field("mannequin", keyframe.mannequin, "");
+  v.exactly_one("file", "mannequin");
+}
+
+template <typename Visitor>
 void describe(Visitor& v, project::ProjectBody& body) {
   v.object("body",
            "Something solid that cloth meets, a person as well as a table or a cushion: a mesh from a file, "
@@ -104,6 +117,10 @@ void describe(Visitor& v, project::ProjectBody& body) {
   v.field("scale", body.scale, "Applied first. Default 1.", Need::kOptional, Range{1e-4, 1e4});
   v.field("landmarks", body.landmarks, "Named places on it, beside those that the program finds.",
           Need::kOptional, kMany);
+  v.field("motion", body.motion,
+          "How it moves once the cloth hangs on it: straight from each of these shapes to the next. It waits "
+          "where the cloth cannot give way. The cloth then comes to rest anew.",
+          Need::kOptional, Range{0, 100});
 }
 
 template <typename Visitor>

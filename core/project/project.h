@@ -209,6 +209,14 @@ struct ProjectLandmark {
   friend bool operator==(const ProjectLandmark&, const ProjectLandmark&) = default;
 };
 
+/// A shape that a body comes to: its mesh in another pose or size, with the same triangles.
+struct ProjectKeyframe {
+  double after_s = 1;  ///< since it began to move
+  std::string file;    ///< read as the body's own
+  std::optional<ProjectMannequin> mannequin;
+  friend bool operator==(const ProjectKeyframe&, const ProjectKeyframe&) = default;
+};
+
 /// A body or an object: a mesh file beside the document, or the program's own mannequin.
 struct ProjectBody {
   std::string id;
@@ -223,6 +231,7 @@ struct ProjectBody {
   Vec3 rotation;     ///< degrees about x, then y, then z
   double scale = 1;
   std::vector<ProjectLandmark> landmarks = {};
+  std::vector<ProjectKeyframe> motion = {};
   friend bool operator==(const ProjectBody&, const ProjectBody&) = default;
 };
 

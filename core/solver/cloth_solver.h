@@ -63,6 +63,9 @@ class ClothSolver {
   void set_features(ClothFeatures features) { features_ = std::move(features); }
   void set_velocities(std::vector<Vec3> velocities) { velocity_ = std::move(velocities); }
 
+  /// Obstacles were moved between two steps, without touching cloth: what was measured among them is void.
+  void note_moved_obstacles() { detected_ = false; }
+
   /// What the membrane has learnt, one a triangle; another solver of the same triangles may go on with it.
   const std::vector<Vec3>& preloads() const { return membrane_.preloads(); }
   void set_preloads(std::vector<Vec3> preloads) { membrane_.set_preloads(std::move(preloads)); }

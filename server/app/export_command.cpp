@@ -108,8 +108,11 @@ Result<std::vector<exports::ModelPart>> parts_of(const ExportOptions& options) {
   } else {
     parts = pieces_of(film, cloth);
   }
-  for (std::size_t b = 0; options.body && b < film.bodies.size(); ++b) {
-    const geometry::TriangleMesh& mesh = film.bodies[b];
+  if (!options.body) return parts;
+  const std::vector<geometry::TriangleMesh> bodies =
+      options.at ? movie::bodies_at(film, movie::played_at(film.motion, *options.at)) : film.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const geometry::TriangleMesh& mesh = bodies[b];
     exports::ModelPart part;
     part.name = "body" + (b == 0 ? std::string() : std::to_string(b + 1));
     part.colour = kBodyColour;

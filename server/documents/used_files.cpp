@@ -18,9 +18,14 @@ std::vector<UsedFile> used_files(const project::Project& project) {
           {texture->image, "image", json::pointer_to(json::pointer_to(piece, "texture"), "image")});
   }
   for (std::size_t i = 0; i < project.bodies.size(); ++i) {
-    if (project.bodies[i].mannequin) continue;
-    used.push_back(
-        {project.bodies[i].file, "body", json::pointer_to(json::pointer_to("/bodies", i), "file")});
+    const std::string body = json::pointer_to("/bodies", i), motion = json::pointer_to(body, "motion");
+    if (!project.bodies[i].mannequin)
+      used.push_back({project.bodies[i].file, "body", json::pointer_to(body, "file")});
+    for (std::size_t k = 0; k < project.bodies[i].motion.size(); ++k) {
+      const project::ProjectKeyframe& keyframe = project.bodies[i].motion[k];
+      if (!keyframe.mannequin)
+        used.push_back({keyframe.file, "body", json::pointer_to(json::pointer_to(motion, k), "file")});
+    }
   }
   return used;
 }

@@ -159,31 +159,43 @@ std::string pieces_json(const ReadCloth& read) {
          "\n";
 }
 
+bool has_moving_bodies(const std::string& document) {
+  const Result<project::Project> project = project::parse_project(document);
+  return project && std::any_of(project->bodies.begin(), project->bodies.end(),
+                                [](const project::ProjectBody& body) { return !body.motion.empty(); });
+}
+
 Result<std::string> body_bytes(const std::string& document, const resolve::ProjectFiles& files) {
   const project::Project project = TRY(project::parse_project(document));
-  const drape::DrapeInput input = TRY(resolve::resolve_project(project, files));
+  drape::DrapeInput input = TRY(resolve::resolve_project(project, files));
+  std::vector<geometry::TriangleMesh> meshes;
+  for (body::Body& body : input.bodies) meshes.push_back(std::move(body.mesh));
+  return mesh_bytes(meshes);
+}
+
+std::string mesh_bytes(std::span<const geometry::TriangleMesh> meshes) {
   std::size_t vertices = 0, triangles = 0;
-  for (const body::Body& body : input.bodies) {
-    vertices += body.mesh.vertices.size();
-    triangles += body.mesh.triangles.size();
+  for (const geometry::TriangleMesh& mesh : meshes) {
+    vertices += mesh.vertices.size();
+    triangles += mesh.triangles.size();
   }
   std::string out;
   out.reserve(8 + 12 * (vertices + triangles));
   put(out, static_cast<std::uint32_t>(vertices));
   put(out, static_cast<std::uint32_t>(triangles));
-  for (const body::Body& body : input.bodies) {
-    for (const Vec3 p : body.mesh.vertices) {
+  for (const geometry::TriangleMesh& mesh : meshes) {
+    for (const Vec3 p : mesh.vertices) {
       put(out, p.x);
       put(out, p.y);
       put(out, p.z);
     }
   }
   std::uint32_t first = 0;
-  for (const body::Body& body : input.bodies) {
-    for (const Tri& triangle : body.mesh.triangles) {
+  for (const geometry::TriangleMesh& mesh : meshes) {
+    for (const Tri& triangle : mesh.triangles) {
       for (const Index corner : triangle) put(out, first + static_cast<std::uint32_t>(corner));
     }
-    first += static_cast<std::uint32_t>(body.mesh.vertices.size());
+    first += static_cast<std::uint32_t>(mesh.vertices.size());
   }
   return out;
 }

@@ -45,7 +45,7 @@ render::Scene scene_of(const drape::DrapeInput& input, const drape::DrapeResult&
     scene.cloth.colour_of_panel.push_back({cloth.colour[0], cloth.colour[1], cloth.colour[2]});
   }
   scene.cloth.look_of_panel = movie::looks_of(input);
-  for (const body::Body& body : input.bodies) scene.bodies.push_back({.mesh = &body.mesh});
+  for (const body::Body& body : result.bodies) scene.bodies.push_back({.mesh = &body.mesh});
   return scene;
 }
 
@@ -75,7 +75,7 @@ Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& re
   const sewing::GarmentMesh& garment = result.garment;
   const std::vector<std::string> names = panel_names(input.pattern);
   const exports::ObjPanels panels{names, garment.panel_of_triangle, garment.rest};
-  TRY(check_data ? exports::write_check_data(folder, garment, result.positions, input.bodies, panels)
+  TRY(check_data ? exports::write_check_data(folder, garment, result.positions, result.bodies, panels)
                  : exports::write_obj(folder / "final.obj", result.positions, garment.triangles, panels));
   TRY(write_bytes(folder / "final.hung", warm::encode_hung(result.hung)));
   exports::GlbModel model;
@@ -84,7 +84,7 @@ Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& re
   model.panel_names = names;
   model.fabrics = input.fabrics;
   model.fabric_of_panel = input.fabric_of_panel;
-  model.bodies = input.bodies;
+  model.bodies = result.bodies;
   model.textures = &textures;
   return exports::write_glb(folder / "final.glb", model);
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/body/body.h"
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "core/geometry/triangle_mesh.h"
@@ -20,6 +21,14 @@ struct FilmFrame {
   int step = 0;                    ///< substep of the solver
   float time = 0;                  ///< s of simulated time
   std::vector<std::int16_t> grid;  ///< three a vertex
+  float bodies = 0;                ///< s of the bodies' motion
+};
+
+/// How a body of the film moved.
+struct BodyWay {
+  Index body = 0;                         ///< by its number
+  std::vector<Vec3> start;                ///< m
+  std::vector<body::Keyframe> keyframes;  ///< at least one
 };
 
 /// Frames of a drape, the first and the last among them, in order of steps.
@@ -30,10 +39,11 @@ struct Motion {
 };
 
 struct Film {
-  sewing::GarmentMesh garment;             ///< without seam_of_sewn
-  std::vector<proto::StreamPiece> pieces;  ///< one a panel
-  std::vector<Vec3> end;                   ///< m, of the garment's vertices
-  std::vector<geometry::TriangleMesh> bodies;
+  sewing::GarmentMesh garment;                 ///< without seam_of_sewn
+  std::vector<proto::StreamPiece> pieces;      ///< one a panel
+  std::vector<Vec3> end;                       ///< m, of the garment's vertices
+  std::vector<geometry::TriangleMesh> bodies;  ///< at the end
+  std::vector<BodyWay> ways;                   ///< of those that moved
   image::Textures textures;
   std::vector<render::ClothLook> looks;  ///< one a panel; none of films of older programs
   Motion motion;
@@ -48,6 +58,12 @@ Film film_of(const drape::DrapeInput& input, const drape::DrapeResult& result,
 
 /// The film's things with the cloth at `positions` (m). Refers to both.
 render::Scene scene_of(const Film& film, std::span<const Vec3> positions);
+
+/// The bodies so many s into their motion.
+std::vector<geometry::TriangleMesh> bodies_at(const Film& film, double played);
+/// s of the bodies' motion, at a time (s of simulated time): between those of the frames around it. REQUIRES
+/// frames.
+double played_at(const Motion& motion, double time);
 
 /// The cloth at a time (s of simulated time), m: on the straight way between the frames around it.
 /// REQUIRES frames.

@@ -15,19 +15,37 @@ namespace {
 
 constexpr std::string_view kMagic = "TOILEFM\n";
 constexpr std::size_t kHashDigits = 32;
-constexpr std::uint32_t kWithoutLooks = 1;  // a version that is still read
-constexpr std::uint32_t kEpoch = 1;         // a film has one
-constexpr double kFarthest = 1000;          // m; what can be drawn (render/scene.h)
+// Versions that are still read, and written where no body moves.
+constexpr std::uint32_t kWithoutLooks = 1, kStandingStill = 2;
+constexpr std::uint32_t kEpoch = 1;  // a film has one
+constexpr double kFarthest = 1000;   // m; what can be drawn (render/scene.h)
+constexpr double kLongest = 1e9;     // s
 
 Error damaged() {
   return {"film.damaged", "this is no film of a drape, or it is cut off or has changed", "",
           ErrorKind::kInput};
 }
 
-void write(StateWriter& out, const geometry::TriangleMesh& mesh) {
-  out.size(mesh.vertices.size());
-  for (const Vec3 p : mesh.vertices)
+void write_places(StateWriter& out, std::span<const Vec3> places) {
+  out.size(places.size());
+  for (const Vec3 p : places)
     for (const double c : {p.x, p.y, p.z}) out.value(static_cast<float>(c));
+}
+
+std::vector<Vec3> read_places(StateReader& in) {
+  std::vector<Vec3> places(in.count(3 * sizeof(float)));
+  for (Vec3& p : places) {
+    for (double* c : {&p.x, &p.y, &p.z}) {
+      float number = 0;
+      in.value(number);
+      *c = number;
+    }
+  }
+  return places;
+}
+
+void write(StateWriter& out, const geometry::TriangleMesh& mesh) {
+  write_places(out, mesh.vertices);
   out.size(mesh.triangles.size());
   for (const Tri& t : mesh.triangles)
     for (const Index v : t) out.value(v);
@@ -35,14 +53,7 @@ void write(StateWriter& out, const geometry::TriangleMesh& mesh) {
 
 geometry::TriangleMesh read_mesh(StateReader& in) {
   geometry::TriangleMesh mesh;
-  mesh.vertices.resize(in.count(3 * sizeof(float)));
-  for (Vec3& p : mesh.vertices) {
-    for (double* c : {&p.x, &p.y, &p.z}) {
-      float number = 0;
-      in.value(number);
-      *c = number;
-    }
-  }
+  mesh.vertices = read_places(in);
   in.value(mesh.triangles);
   return mesh;
 }
@@ -128,6 +139,48 @@ void write(StateWriter& out, const Motion& motion) {
   }
 }
 
+/// s of the bodies' motion, one a frame.
+void write_times(StateWriter& out, const Motion& motion) {
+  out.size(motion.frames.size());
+  for (const FilmFrame& frame : motion.frames) out.value(frame.bodies);
+}
+
+Status read_times(StateReader& in, Motion& motion) {
+  if (in.count(sizeof(float)) != motion.frames.size()) return damaged();
+  for (FilmFrame& frame : motion.frames) {
+    in.value(frame.bodies);
+    if (!(frame.bodies >= 0 && frame.bodies <= kLongest)) return damaged();
+  }
+  return {};
+}
+
+void write_ways(StateWriter& out, const Film& film) {
+  out.size(film.ways.size());
+  for (const BodyWay& way : film.ways) {
+    out.value(way.body);
+    write_places(out, way.start);
+    out.size(way.keyframes.size());
+    for (const body::Keyframe& keyframe : way.keyframes) {
+      out.value(keyframe.at);
+      write_places(out, keyframe.vertices);
+    }
+  }
+}
+
+std::vector<BodyWay> read_ways(StateReader& in) {
+  std::vector<BodyWay> ways(in.count(sizeof(Index) + 2 * sizeof(std::uint32_t)));
+  for (BodyWay& way : ways) {
+    in.value(way.body);
+    way.start = read_places(in);
+    way.keyframes.resize(in.count(sizeof(double) + sizeof(std::uint32_t)));
+    for (body::Keyframe& keyframe : way.keyframes) {
+      in.value(keyframe.at);
+      keyframe.vertices = read_places(in);
+    }
+  }
+  return ways;
+}
+
 bool in_order(const Motion& motion) {
   return std::adjacent_find(motion.frames.begin(), motion.frames.end(),
                             [](const FilmFrame& a, const FilmFrame& b) {
@@ -148,7 +201,7 @@ Result<Motion> read_motion(StateReader& in) {
         i == 0 ? std::span<const std::int16_t>() : motion.frames.back().grid;
     auto frame = proto::decode_frame(message, before);
     if (!frame || frame->key != (i == 0) || frame->header.step < 0) return damaged();
-    motion.frames.push_back({frame->header.step, frame->header.time, std::move(frame->grid)});
+    motion.frames.push_back({frame->header.step, frame->header.time, std::move(frame->grid), 0});
   }
   const bool sound = is_finite(motion.grid.origin) && length(motion.grid.origin) < kFarthest / 2 &&
                      motion.grid.step > 0 && motion.grid.step < 1e-2 && motion.stride > 0;
@@ -191,10 +244,24 @@ Status fill_garment(proto::DecodedTopology topology, Film& film) {
   return {};
 }
 
+bool sound_way(const BodyWay& way, const Film& film) {
+  if (way.body < 0 || static_cast<std::size_t>(way.body) >= film.bodies.size() || way.keyframes.empty())
+    return false;
+  const std::size_t count = film.bodies[static_cast<std::size_t>(way.body)].vertices.size();
+  double since = 0;
+  for (const body::Keyframe& keyframe : way.keyframes) {
+    const bool later = keyframe.at > std::exchange(since, keyframe.at) && keyframe.at <= kLongest;
+    if (!later || keyframe.vertices.size() != count || !sound_positions(keyframe.vertices)) return false;
+  }
+  return way.start.size() == count && sound_positions(way.start);
+}
+
 Status check_film(const Film& film) {
   const std::size_t count = film.garment.rest.size();
   const bool whole = film.end.size() == count && sound_positions(film.end) &&
                      std::all_of(film.bodies.begin(), film.bodies.end(), sound_mesh) &&
+                     std::all_of(film.ways.begin(), film.ways.end(),
+                                 [&](const BodyWay& way) { return sound_way(way, film); }) &&
                      std::all_of(film.motion.frames.begin(), film.motion.frames.end(),
                                  [&](const FilmFrame& frame) { return frame.grid.size() == 3 * count; });
   return whole ? Status() : damaged();
@@ -205,20 +272,22 @@ Status check_film(const Film& film) {
 std::string encode_motion(const Motion& motion) {
   StateWriter out;
   write(out, motion);
+  write_times(out, motion);
   return out.take();
 }
 
 Result<Motion> decode_motion(std::string_view bytes) {
   StateReader in(bytes);
-  Result<Motion> motion = read_motion(in);
-  if (motion && !in.at_end()) return damaged();
+  Motion motion = TRY(read_motion(in));
+  TRY(read_times(in, motion));
+  if (!in.ok() || !in.at_end()) return damaged();
   return motion;
 }
 
 std::string encode_film(const Film& film) {
   StateWriter out;
   out.raw(kMagic);
-  out.value(kFilmVersion);
+  out.value(film.ways.empty() ? kStandingStill : kFilmVersion);
   out.value(proto::encode_topology(kEpoch, film.motion.grid, film.garment, film.pieces));
   out.value(film.end);
   out.size(film.bodies.size());
@@ -226,6 +295,10 @@ std::string encode_film(const Film& film) {
   write(out, film.textures);
   write(out, film.looks);
   write(out, film.motion);
+  if (!film.ways.empty()) {
+    write_ways(out, film);
+    write_times(out, film.motion);
+  }
   out.raw(hash_of(std::string_view(out.bytes())));
   return out.take();
 }
@@ -236,7 +309,7 @@ Result<Film> decode_film(std::string_view bytes) {
   StateReader in(bytes.substr(kMagic.size(), bytes.size() - kMagic.size() - kHashDigits));
   std::uint32_t version = 0;
   in.value(version);
-  if (version != kFilmVersion && version != kWithoutLooks)
+  if (version < kWithoutLooks || version > kFilmVersion)
     return Error{"film.version", "the film is of another version of this program; drape anew", "",
                  ErrorKind::kInput};
   const std::string_view all = bytes.substr(0, bytes.size() - kHashDigits);
@@ -253,6 +326,10 @@ Result<Film> decode_film(std::string_view bytes) {
   film.textures = TRY(read_textures(in));
   if (version != kWithoutLooks) film.looks = TRY(read_looks(in));
   film.motion = TRY(read_motion(in));
+  if (version > kStandingStill) {
+    film.ways = read_ways(in);
+    TRY(read_times(in, film.motion));
+  }
   if (!in.ok() || !in.at_end()) return damaged();
   TRY(check_film(film));
   return film;

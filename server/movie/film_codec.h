@@ -10,7 +10,7 @@
 
 namespace toile::movie {
 
-inline constexpr std::uint32_t kFilmVersion = 2;
+inline constexpr std::uint32_t kFilmVersion = 3;
 /// The name of a drape's film among its results.
 inline constexpr const char* kFilmFile = "drape.film";
 

@@ -43,8 +43,8 @@ void FilmRecorder::frame(const drape::Frame& frame) {
   } else if (!on_beat(frames.size() - 1)) {
     frames.pop_back();  // it stood there as the last one only
   }
-  frames.push_back(
-      {frame.step, static_cast<float>(frame.time), proto::quantise(frame.positions, motion_.grid)});
+  frames.push_back({frame.step, static_cast<float>(frame.time),
+                    proto::quantise(frame.positions, motion_.grid), static_cast<float>(frame.bodies)});
   while (frames.size() > most_) {
     motion_.stride *= 2;
     thin();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/base/units.h"
@@ -63,8 +64,13 @@ struct Swept {
 Swept swept_by_drape(const Film& film) {
   Swept swept;
   swept.bodies = film.bodies;
-  for (int i = 0; i <= kFramed; ++i)
-    swept.add_cloth(positions_at(film.motion, last_time(film) * i / kFramed), film.garment.triangles);
+  for (int i = 0; i <= kFramed; ++i) {
+    const double time = last_time(film) * i / kFramed;
+    swept.add_cloth(positions_at(film.motion, time), film.garment.triangles);
+    if (film.ways.empty()) continue;
+    for (geometry::TriangleMesh& body : bodies_at(film, played_at(film.motion, time)))
+      swept.bodies.push_back(std::move(body));
+  }
   return swept;
 }
 
@@ -100,9 +106,15 @@ class Shots {
 
   Result<render::Image> take(render::StillRenderer& renderer, int picture) const {
     const bool turns = settings_.kind == MovieKind::kTurntable;
-    const std::vector<Vec3> positions =
-        turns ? film_.end : positions_at(film_.motion, time_of(film_, settings_, picture));
+    const double time = turns ? 0 : time_of(film_, settings_, picture);
+    const std::vector<Vec3> positions = turns ? film_.end : positions_at(film_.motion, time);
     render::Scene scene = scene_of(film_, positions);
+    std::vector<geometry::TriangleMesh> moving;  // as long as the scene
+    if (!turns && !film_.ways.empty()) {
+      moving = bodies_at(film_, played_at(film_.motion, time));
+      scene.bodies.clear();
+      for (const geometry::TriangleMesh& body : moving) scene.bodies.push_back({.mesh = &body});
+    }
     scene.floor = floor_;
     return renderer.render(scene, turns ? turned_camera(picture) : camera_,
                            {.width = settings_.width, .height = settings_.height});

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/aabb.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/body/mannequin/broyden.h"
+#include "core/body/mannequin/carry.h"
 #include "core/body/mannequin/field.h"
 #include "core/body/mannequin/polygonise.h"
 #include "core/body/mannequin/proportions.h"
@@ -20,7 +20,6 @@ constexpr double kSkinArea = 0.62;        // of the stature squared, near enough
 constexpr double kFinestCell = 5.0e-3;    // of the stature; remeshing refines from there
 constexpr double kCoarsestCell = 7.0e-3;  // fingertips and the gap between the legs need this
 constexpr double kCellPerEdge = 0.5;
-constexpr int kRemeshRounds = 6;
 constexpr double kFold = 0.5, kFoldedMiss = 1000;     // cosine; worse than any miss
 constexpr double kAgreeing = 2;                       // least length of three normals' sum
 constexpr int kNewMeshes = 2;                         // tries after the first
@@ -102,28 +101,12 @@ double grid_cell(Index triangle_count) {
   return std::clamp(edge * kCellPerEdge, kFinestCell, kCoarsestCell);
 }
 
-RemeshSettings remesh_settings(const BodyField& field, Index triangle_count) {
-  const double detail = std::clamp((triangle_count - 3000) / 12000.0, 0.0, 1.0);
-  return {triangle_count, [&field, detail](Vec3 p) { return field.fineness(p, detail); }, kRemeshRounds};
-}
-
 geometry::TriangleMesh first_mesh(const BodyShape& shape, Index triangle_count) {
   const BodyField field(shape);
   const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
   const double breadth = field.half_breadth();
   const GridBox box{{-breadth, -0.02, -0.22}, {breadth, 1.03, 0.26}, grid_cell(triangle_count)};
   return remesh(polygonise(surface, box), surface, remesh_settings(field, triangle_count));
-}
-
-// The mesh of one shape on another. Carried along first: what only went to the nearest skin left a web where
-// the crotch had risen.
-geometry::TriangleMesh fitted(geometry::TriangleMesh mesh, const BodyShape& before, const BodyShape& shape,
-                              Index triangle_count, int relaxations) {
-  const BodyField field(shape);
-  const PlacedFigure from(before);
-  for (Vec3& p : mesh.vertices) p = field.placed().carried_from(from, p);
-  const ImplicitSurface surface = [&field](Vec3 p) { return field.at(p); };
-  return refit(std::move(mesh), surface, remesh_settings(field, triangle_count), relaxations);
 }
 
 // Other triangles on the same surface, where a change of shape has crowded or folded them.
@@ -133,14 +116,6 @@ geometry::TriangleMesh evened(geometry::TriangleMesh mesh, const BodyShape& shap
   RemeshSettings settings = remesh_settings(field, triangle_count);
   settings.rounds = kEveningRounds;
   return remesh(std::move(mesh), surface, settings);
-}
-
-// The finished mesh stands on the floor and is as tall as asked; chords had cut a little off both.
-geometry::TriangleMesh stand(geometry::TriangleMesh mesh, double height) {
-  const Aabb3 box = bounding_box(mesh.vertices);
-  const double upright = height / box.size().y;
-  for (Vec3& p : mesh.vertices) p = Vec3{p.x * height, (p.y - box.low.y) * upright, p.z * height};
-  return mesh;
 }
 
 /// Finds the factors whose body measures what was asked, by Broyden's method: it starts as if each factor
@@ -378,7 +353,8 @@ Result<Mannequin> make_mannequin(const MannequinSettings& settings) {
   }
   if (!fit.measures) return Error{"mannequin.measures", "These measures do not make a body.", ""};
   TRY(check_met(settings, *fit.measures));
-  return Mannequin{std::move(fit.mesh), wanted, *fit.measures, scaled(PlacedFigure(fit.shape).joints(), h)};
+  return Mannequin{std::move(fit.mesh), wanted, *fit.measures, scaled(PlacedFigure(fit.shape).joints(), h),
+                   fit.shape};
 }
 
 }  // namespace toile::mannequin

@@ -25,6 +25,7 @@ struct Mannequin {
   measure::MeasureSet wanted;      ///< what was asked for, and what proportions gave for the rest
   measure::BodyMeasures measures;  ///< as the tape takes them back
   BodyJoints joints;               ///< m, of the side of +x
+  BodyShape shape;                 ///< of which the mesh was made
 };
 
 /// Every girth asked for is met to 5 mm and every length to 10 mm, or it is an error. Equal settings give

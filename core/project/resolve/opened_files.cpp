@@ -67,4 +67,11 @@ Result<geometry::TriangleMesh> OpenedFiles::mannequin(const project::ProjectMann
   return mannequins_.emplace_back(given, std::move(made.mesh)).second;
 }
 
+Result<const mannequin::Mannequin*> OpenedFiles::made_mannequin(const project::ProjectMannequin& given) {
+  for (const auto& [made_for, made] : made_)
+    if (made_for == given) return &made;
+  const mannequin::MannequinSettings settings = TRY(project::mannequin_settings(given));
+  return &made_.emplace_back(given, TRY(mannequin::make_mannequin(settings))).second;
+}
+
 }  // namespace toile::resolve

@@ -2,6 +2,7 @@
 // The files of a document while somebody works on it, each read once.
 
 #include <array>
+#include <deque>
 #include <map>
 #include <string>
 #include <tuple>
@@ -29,6 +30,9 @@ class OpenedFiles {
   Result<mesh_import::RepairedMesh> body_mesh(const project::ProjectBody& body);
   /// Errors: project.unknown_preset, mannequin.*, and what the source gives.
   Result<geometry::TriangleMesh> mannequin(const project::ProjectMannequin& given);
+  /// With its shape, which takes long to find. The pointer holds as long as the object. Errors:
+  /// project.unknown_preset, mannequin.*.
+  Result<const mannequin::Mannequin*> made_mannequin(const project::ProjectMannequin& given);
 
   /// For what is read but once: pictures.
   const ProjectFiles& source() const { return source_; }
@@ -42,6 +46,7 @@ class OpenedFiles {
   std::map<std::tuple<std::string, double, bool>, mesh_import::RepairedMesh>
       meshes_;  ///< by file, unit, whether z is up
   std::vector<std::pair<project::ProjectMannequin, geometry::TriangleMesh>> mannequins_;
+  std::deque<std::pair<project::ProjectMannequin, mannequin::Mannequin>> made_;
 };
 
 }  // namespace toile::resolve

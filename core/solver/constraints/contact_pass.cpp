@@ -32,7 +32,7 @@ void solve_contacts(std::span<const collision::Contact> contacts, std::span<cons
     const double raise =
         std::clamp(kDepenetrationShare * c.rest - std::max(distance, floor), 0.0, kPushOutSpeed * h);
 
-    const Vec3 moved = now - start, slip = moved - c.n * dot(c.n, moved);
+    const Vec3 moved = now - start - c.carried * h, slip = moved - c.n * dot(c.n, moved);
     const double slipped = length(slip), hold = friction * c.friction * approach;
     const Vec3 rub = slipped > hold && slipped > 0 ? slip * (hold / slipped) : slip;
     const Vec3 stop = c.n * approach - (hold > 0 ? rub : Vec3{}), push = c.n * raise;

@@ -14,6 +14,7 @@
 #include "server/http/handlers/answer.h"
 #include "server/http/problem.h"
 #include "server/http/static_files.h"
+#include "server/jobs/end_bodies.h"
 #include "server/ws/job_message.h"
 
 namespace toile::handlers {
@@ -119,15 +120,28 @@ http::HttpResponse job_report_page(const Api& api, const store::RequestContext& 
   return response;
 }
 
+namespace {
+
+Result<std::string> moved_bodies(const Api& api, const store::RequestContext& context,
+                                 const store::JobRow& job) {
+  return documents::mesh_bytes(TRY(jobs::end_bodies(api.store, context, job)));
+}
+
+}  // namespace
+
 http::HttpResponse job_body(const Api& api, const store::RequestContext& context,
                             const http::HttpRequest& request) {
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
   if (!job) return http::problem(job.error());
-  Result<std::string> bytes =
-      documents::body_bytes(job->document, documents::files_in_store(api.documents, context, job->files));
+  const bool moves = documents::has_moving_bodies(job->document), ended = jobs::has_end_bodies(*job);
+  const Result<std::string> bytes =
+      moves && ended ? moved_bodies(api, context, *job)
+                     : documents::body_bytes(job->document,
+                                             documents::files_in_store(api.documents, context, job->files));
   if (!bytes) return http::problem(bytes.error());
-  http::HttpResponse response = file_answer(std::move(*bytes), "application/octet-stream", "body.bin");
-  response.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
+  http::HttpResponse response = file_answer(*bytes, "application/octet-stream", "body.bin");
+  const bool stays = !moves || ended;
+  response.headers.emplace_back("Cache-Control", stays ? "private, max-age=31536000, immutable" : "no-cache");
   return response;
 }
 

@@ -127,7 +127,7 @@ class FitTable : public testing::Test {
     figure.waist = made->measures.points.waist_height;
     waist = measure::length_of_loop(*measure::body_line(body.mesh, figure, "waist"));
     // Wide enough in space to be clear of the body; flat as each test asks.
-    tubes.input.bodies = {body};
+    tubes.input.bodies = tubes.result.bodies = {body};
   }
   /// The waist's line with a tube of that flat width around it, from 5 cm below to as much above.
   std::vector<analysis::FitLine> with_band(double flat) {

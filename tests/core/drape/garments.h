@@ -41,6 +41,14 @@ inline body::Body column(double radius, double low, double high, int sides = 16)
   return body;
 }
 
+/// As `body`, with all of it elsewhere after so many seconds.
+template <typename Place>
+void move_to(body::Body& body, double after, Place place) {
+  body::Keyframe& keyframe = body.motion.emplace_back();
+  keyframe.at = after;
+  for (const Vec3& p : body.mesh.vertices) keyframe.vertices.push_back(place(p));
+}
+
 /// A sheet that falls on a column's head.
 inline drape::DrapeInput tablecloth() {
   drape::DrapeInput input;

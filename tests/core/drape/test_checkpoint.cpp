@@ -174,7 +174,7 @@ std::size_t bytes_of_lists(const collision::Contacts& contacts) {
   std::size_t planes = 0, near = 0;
   for (const auto& of_vertex : contacts.planes) planes += of_vertex.size();
   for (const auto& of_vertex : contacts.vertex_contacts) near += of_vertex.size();
-  return 17 * contacts.pairs.size() + 36 * planes + 121 * near + 112 * contacts.rims.size();
+  return 17 * contacts.pairs.size() + 36 * planes + 145 * near + 136 * contacts.rims.size();
 }
 
 TEST(Checkpoint, TakesTenVectorsAParticleTheContactsAndLittleElse) {

@@ -18,6 +18,7 @@ export class Watcher {
   private piecesOf_ = '';
   /** The drape whose cloth is being fetched: every new row of it would ask for it again. */
   private clothOf_ = '';
+  private moved_ = ''; // the job whose bodies moved while one looked
 
   constructor(
     private readonly state_: AppState,
@@ -118,6 +119,7 @@ export class Watcher {
   private progress(progress: Progress): void {
     const { history } = this.state_;
     this.state_.progress.value = progress;
+    if (progress.phase === 'move') this.moved_ = this.state_.watched.value ?? '';
     const last = history.value[history.value.length - 1];
     if (progress.rms_speed === 0) return; // a phase begins: nothing has been measured yet
     if (progress.simulated_s <= (last?.t ?? 0)) {
@@ -130,7 +132,10 @@ export class Watcher {
 
   private ended(last: Progress, job: Job): void {
     this.state_.progress.value = last;
-    if (job.id === this.state_.watched.value) this.state_.putJob(job);
+    if (job.id === this.state_.watched.value) {
+      this.state_.putJob(job);
+      if (this.moved_ === job.id) void this.loadBody(job.id); // it stands elsewhere now
+    }
     this.refresh_();
   }
 

@@ -16,6 +16,7 @@ const kShares: [string, number][] = [
   ['dress', 0.05],
   ['sew', 0.25],
   ['drape', 0.58],
+  ['move', 0],
   ['check', 0.02],
   ['stills', 0.05],
 ];

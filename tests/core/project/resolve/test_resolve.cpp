@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "core/base/units.h"
+#include "core/body/measure/measures.h"
 #include "core/fabric/library.h"
 #include "tests/core/project/documents.h"
 
@@ -212,6 +213,56 @@ TEST(ProjectResolve, MakesAMannequinOfTheAskedSize) {
                               shelf);
   ASSERT_TRUE(input) << to_string(input.error());
   EXPECT_EQ(input->bodies[0].mesh.triangles.size(), 2000u);
+}
+
+std::string mannequin_that_moves(const std::string& keyframes) {
+  return changed(kSmall, R"("file": "people/ann.obj", "unit": "cm")",
+                 R"("mannequin": {"height_cm": 165, "triangles": 2000}, "motion": [)" + keyframes + "]");
+}
+
+TEST(ProjectResolve, AMannequinMovesToOthersByShapesOnTheWay) {
+  Shelf shelf;
+  const auto input = resolved(mannequin_that_moves(
+                                  R"({"after_s": 2, "mannequin": {"height_cm": 165, "pose": "t"}},
+                                     {"after_s": 3, "mannequin": {"height_cm": 165, "pose": "t", "hip_cm": 104}})"),
+                              shelf);
+  ASSERT_TRUE(input) << to_string(input.error());
+  const body::Body& body = input->bodies[0];
+  ASSERT_GT(body.motion.size(), 4u);
+  double since = 0;
+  for (const body::Keyframe& k : body.motion) {
+    EXPECT_GT(k.at, since);
+    EXPECT_EQ(k.vertices.size(), body.mesh.vertices.size());
+    since = k.at;
+  }
+  EXPECT_EQ(since, 3);
+  // It is turned by 90° and twice as large: hands reach along z, and hips are measured back to its size.
+  const auto reach = [](const std::vector<Vec3>& x) {
+    double most = 0;
+    for (const Vec3& p : x) most = std::max(most, std::abs(p.z - 5));
+    return most;
+  };
+  EXPECT_GT(reach(body.motion.back().vertices), 1.1 * reach(body.mesh.vertices)) << "arms are out";
+  geometry::TriangleMesh end{body.motion.back().vertices, body.mesh.triangles};
+  for (Vec3& p : end.vertices) p = Vec3{-(p.z - 5), p.y, p.x} * 0.5;
+  const auto measures = measure::measure_body(end);
+  ASSERT_TRUE(measures);
+  EXPECT_NEAR((*measures)[measure::Measure::kHip]->value, 1.04, 0.01);
+}
+
+TEST(ProjectResolve, RefusesKeyframesOfAnotherMeshOrOutOfOrder) {
+  const auto refused = [](const std::string& keyframes, const char* code, const std::string& where) {
+    Shelf shelf;
+    const auto input = resolved(mannequin_that_moves(keyframes), shelf);
+    ASSERT_FALSE(input) << keyframes;
+    EXPECT_EQ(input.error().code, code) << to_string(input.error());
+    EXPECT_TRUE(input.error().where.starts_with(where)) << to_string(input.error());
+  };
+  refused(R"({"mannequin": {"height_cm": 166}}, {"mannequin": {"height_cm": 167}})", "project.keyframe_order",
+          "/bodies/0/motion/1/after_s");
+  refused(R"({"mannequin": {"sex": "male"}})", "project.keyframe_mesh", "/bodies/0/motion/0");
+  refused(R"({"file": "people/ann.obj"})", "project.keyframe_mesh", "/bodies/0/motion/0");
+  refused(R"({"mannequin": {"preset": "none"}})", "project.unknown_preset", "/bodies/0/motion/0");
 }
 
 TEST(ProjectResolve, OpensAFileOnceForAllItsPieces) {

@@ -998,7 +998,10 @@ export interface paths {
             };
             cookie?: never;
         };
-        /** The bodies under the cloth, as one mesh */
+        /**
+         * The bodies under the cloth, as one mesh
+         * @description Bodies that move stand where they began while the job runs, and where they came to once it has ended.
+         */
         get: operations["jobBody"];
         put?: never;
         post?: never;
@@ -2679,6 +2682,14 @@ export interface components {
             /** @description mm; the body's height when the offset was told. On a taller body it is longer in proportion. Default: it stays. */
             body_height_mm?: number;
         } & (unknown | unknown);
+        /** @description A shape that a body comes to while the cloth hangs on it: another pose or size of its mesh, with the same vertices and triangles in the same order. */
+        keyframe: {
+            /** @description s after the body begins to move; later than the keyframe before it. Default 1. */
+            after_s?: number;
+            /** @description Read and placed as the body's own. */
+            file?: components["schemas"]["file"];
+            mannequin?: components["schemas"]["mannequin"];
+        } & (unknown | unknown);
         /** @description A place to which cloth is led while the seams close. Contact is stronger than the hold: what is in the way makes it wait. */
         goal: {
             /** @description Id of a body. Default: the first that stands, or that bears the landmark. */
@@ -2839,6 +2850,8 @@ export interface components {
             scale?: number;
             /** @description Named places on it, beside those that the program finds. */
             landmarks?: components["schemas"]["landmark"][];
+            /** @description How it moves once the cloth hangs on it: straight from each of these shapes to the next. It waits where the cloth cannot give way. The cloth then comes to rest anew. */
+            motion?: components["schemas"]["keyframe"][];
         } & (unknown | unknown);
         /** @description Holds part of a piece, e.g. a waistband at its height until friction carries it, or leads it to a place on the body. */
         attachment: {

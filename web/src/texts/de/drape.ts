@@ -37,6 +37,7 @@ export const drape: Texts['drape'] = {
     dress: 'Kleidungsstück wird angezogen',
     sew: 'Es wird genäht',
     drape: 'Es wird drapiert',
+    move: 'Körper bewegt sich',
     check: 'Es wird geprüft',
     stills: 'Bilder werden gemacht',
   },

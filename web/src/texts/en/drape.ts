@@ -35,6 +35,7 @@ export const drape = {
     dress: 'Putting the garment on',
     sew: 'Sewing',
     drape: 'Draping',
+    move: 'Moving the body',
     check: 'Checking',
     stills: 'Taking the stills',
   },
