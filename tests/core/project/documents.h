@@ -74,7 +74,12 @@ inline const char* const kFullDocument = R"({
     {"id": "form", "mannequin": {"preset": "eu38", "sex": "female", "pose": "a", "arm_angle": 50, "height_cm": 171,
      "bust_cm": 91, "underbust_cm": 77, "waist_cm": 73, "hip_cm": 98, "neck_cm": 34, "shoulder_width_cm": 38,
      "upper_arm_cm": 28, "wrist_cm": 16, "arm_length_cm": 57, "thigh_cm": 56, "calf_cm": 36, "inseam_cm": 78,
-     "back_length_cm": 40, "triangles": 3000}}
+     "back_length_cm": 40, "triangles": 3000},
+     "motion": [{"after_s": 0.5, "file": "people/form.obj"},
+                {"after_s": 1.5, "mannequin": {"preset": "eu40", "sex": "female", "pose": "t", "arm_angle": 45,
+                 "height_cm": 171, "bust_cm": 95, "underbust_cm": 80, "waist_cm": 77, "hip_cm": 102, "neck_cm": 35,
+                 "shoulder_width_cm": 38, "upper_arm_cm": 29, "wrist_cm": 16, "arm_length_cm": 57, "thigh_cm": 58,
+                 "calf_cm": 37, "inseam_cm": 78, "back_length_cm": 40, "triangles": 3000}}]}
   ],
   "attachments": [
     {"id": "hold", "piece": "back", "edges": ["top"], "hold": "place", "release_after_s": 0.5},
