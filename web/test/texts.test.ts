@@ -167,6 +167,7 @@ describe('units', () => {
   it('are told with as many digits as they need', async () => {
     const said = (): string[] => [patternLength(254), lengthWords(76.2, unit.value), lengthsText(254, 279.4).difference];
     expect(said()).toEqual(['254.0 mm', '76.2 cm', '25.4 mm (10.0 %)']);
+    expect(patternLength(7803.4, 0)).toBe('7,803 mm');
     chooseUnit('cm');
     expect(said()).toEqual(['25.40 cm', '76.2 cm', '2.54 cm (10.0 %)']);
     chooseUnit('inch');

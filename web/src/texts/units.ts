@@ -2,7 +2,7 @@
 
 import { signal, type Signal } from '@preact/signals';
 import { keep, kept } from './kept';
-import { fixed } from './numbers';
+import { count, fixed } from './numbers';
 
 /** mm: the pattern in millimetres and the body in centimetres, as tailors do; cm and inch: both in that. */
 export type LengthUnit = 'mm' | 'cm' | 'inch';
@@ -38,8 +38,11 @@ export const mmOf = (shown: number): number => shown * kPatternUnits[unit.value]
 /** Digits that are as fine as so many of millimetres. */
 export const patternDigits = (digits: number): number => digits + kPatternUnits[unit.value].finer;
 
-/** The figure alone, and with its unit. `digits` are those of millimetres. */
-export const patternFigure = (mm: number, digits = 1): string => fixed(shownMm(mm), patternDigits(digits));
+/** The figure alone, and with its unit. `digits` are those of millimetres. A whole number has its thousands apart. */
+export function patternFigure(mm: number, digits = 1): string {
+  const fine = patternDigits(digits);
+  return fine === 0 && Number.isFinite(mm) ? count(shownMm(mm)) : fixed(shownMm(mm), fine);
+}
 export const patternLength = (mm: number, digits = 1): string => `${patternFigure(mm, digits)} ${patternSign()}`;
 
 /** A small length: with one digit more below a centimetre; a thousandth of an inch is fine enough. */
