@@ -35,6 +35,21 @@ void stop_value(StateReader& in, std::optional<StopReason>& stop) {
   stop = std::move(*read);
 }
 
+template <typename Archive>
+void fields(Archive& a, MotionState& motion) {
+  a.value(motion.phase);
+  a.value(motion.played);
+  a.value(motion.before);
+  a.value(motion.waited);
+  a.value(motion.marked);
+  a.value(motion.since);
+  a.value(motion.hoped);
+  a.value(motion.steps);
+  a.value(motion.pace);
+  a.value(motion.over);
+  a.value(motion.tight);
+}
+
 /// Every field in its order, for writing and for reading alike, so that the two cannot disagree.
 template <typename Archive>
 void fields(Archive& a, RunState& run) {
@@ -76,17 +91,7 @@ void fields(Archive& a, RunState& run) {
   a.value(s.probe.step);
   a.value(s.probe.failed);
   a.value(s.probe.from);
-  a.value(s.motion.phase);
-  a.value(s.motion.played);
-  a.value(s.motion.before);
-  a.value(s.motion.waited);
-  a.value(s.motion.marked);
-  a.value(s.motion.since);
-  a.value(s.motion.hoped);
-  a.value(s.motion.steps);
-  a.value(s.motion.pace);
-  a.value(s.motion.over);
-  a.value(s.motion.tight);
+  fields(a, s.motion);
   a.value(s.paper.positions);
   a.value(s.paper.previous);
   a.value(s.paper.bent);
