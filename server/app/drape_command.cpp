@@ -41,6 +41,18 @@ Status make_folder(const fs::path& folder) {
 
 std::string percent(double ratio) { return fixed_text(100 * ratio, 2) + "%"; }
 
+/// What may not be as it was meant; notes are for the report.
+void print_warnings(const preflight::Findings& findings) {
+  bool first = true;
+  for (const preflight::Finding& finding : findings) {
+    if (finding.severity == preflight::Severity::kNote) continue;
+    const std::string where = preflight::where_text(finding);
+    std::printf("  %-10s %s%s\n", first ? "warnings" : "", finding.message.c_str(),
+                (where.empty() ? "" : " (" + where + ")").c_str());
+    first = false;
+  }
+}
+
 void print_summary(const analysis::Report& report, const DrapeOptions& options) {
   std::printf(
       "%s: %s after %s s of simulated time (%d substeps, %s s by the clock, %s s of processor time)\n",
@@ -64,6 +76,7 @@ void print_summary(const analysis::Report& report, const DrapeOptions& options) 
   std::printf("  strain     99th percentile: warp %s, weft %s, shear %s degrees\n",
               stretch(report.warp).c_str(), stretch(report.weft).c_str(),
               fixed_text(degrees_from_radians(report.shear.p99), 1).c_str());
+  print_warnings(report.findings);
   std::printf("  speed      %s mm/s at most\n", fixed_text(mm_from_metres(report.max_speed), 2).c_str());
   std::printf("  results    %s\n", options.out.c_str());
 }
