@@ -7,7 +7,8 @@ namespace {
 
 constexpr double kReach = 0.05;  // m; lines are drawn within 3 cm of a border
 constexpr double kEdges = 2.5;   // longest edges of a border: on coarse cloth a triangle reaches farther
-constexpr float kSeam = 0, kOpenSeam = 1, kHem = 2;
+/// A triangle blends the kinds at its corners: between a seam and a hem nothing must look open.
+constexpr float kOpenSeam = -1, kSeam = 0, kHem = 2;
 
 /// Share of the way from a to b at which the line comes nearest to p.
 double nearest_share(Vec3 p, Vec3 a, Vec3 b) {

@@ -13,7 +13,7 @@ namespace toile::render {
 struct VertexLines {
   std::array<float, kBorderSlots> distance;  ///< m of flat cloth; 1 where no side is near
   std::array<float, kBorderSlots> along;     ///< m from the side's beginning to the nearest place on it
-  std::array<float, kBorderSlots> kind;      ///< 0: a seam, 1: a seam that did not close, 2: a hem
+  std::array<float, kBorderSlots> kind;      ///< -1: a seam that did not close, 0: a seam, 2: a hem
 };
 
 inline constexpr float kFarFromLine = 1.0f;

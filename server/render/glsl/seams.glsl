@@ -4,7 +4,7 @@
 // The stills and the page draw by this one file; what is here must hold in GLSL 3.30 and in GLSL ES 3.00.
 in vec4 v_line_distance;              // m from the nearest border, four of them
 in vec4 v_line_along;                 // m along it
-in vec4 v_line_kind;                  // 0: a seam, 1: one that did not close, 2: a hem
+in vec4 v_line_kind;                  // 0: a seam, -1: one that did not close, 2: a hem
 in vec3 v_make;                       // m: thickness, width of a hem, from a seam to stitches beside it
 
 const float kAllowance = 0.009;       // m
