@@ -37,6 +37,7 @@ class BodyMotion {
   BodyMotion(std::span<const body::Body> bodies, double time_step);
 
   bool is_to_come() const { return !times_.empty() && state_.phase == MotionState::Phase::kToCome; }
+  bool has_begun() const { return state_.phase != MotionState::Phase::kToCome; }
   bool is_going() const { return state_.phase == MotionState::Phase::kGoing; }
   /// It has been played to its end, or nobody moves.
   bool is_whole() const { return times_.empty() || state_.played >= times_.back(); }

@@ -144,6 +144,7 @@ DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& mes
     crossings_.add_body(body.mesh.vertices, body.mesh.triangles);
   }
   if (ground) add_ground(*ground);
+  if (input.settings.dress && !dynamic()) wearer_ = dressing::find_person(input.bodies);
   const Weld open = no_weld(assembly_.positions);
   vertex_of_ = open.vertex_of;
   build_solver(model_of(vertex_of_, open.vertex_count), open.positions, {});
@@ -178,7 +179,8 @@ std::vector<solver::constraints::HeldVertex> DrapeSession::held_now() const {
 }
 
 solver::ClothFeatures DrapeSession::features_now() const {
-  return make_features(input_, assembly_, vertex_of_, solver_->model().vertex_count(), released_);
+  return make_features(input_, assembly_, vertex_of_, solver_->model().vertex_count(), released_,
+                       motion_.has_begun() ? std::nullopt : wearer_);
 }
 
 bool DrapeSession::dynamic() const { return input_.settings.mode == DrapeMode::kDynamic; }
@@ -335,6 +337,7 @@ bool DrapeSession::begins_to_move() {
   if (!motion_.is_to_come()) return false;
   probe_.restart();
   motion_.begin(solver_->model(), solver_->positions());
+  solver_->set_features(features_now());
   return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A drape under way by our own engine: sew, weld, let gravity in, settle.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -63,6 +64,7 @@ class DrapeSession : public Session {
   std::vector<std::vector<Vec3>> moved_bodies() const override;
   MotionFigures motion() const override;
   std::vector<HoldFigures> holds() const override;
+  std::array<bool, 2> held_on_shoulders() const override;
 
   std::vector<Vec3> positions() const override;
   const std::vector<Vec3>& start_positions() const override { return assembly_.positions; }
@@ -120,7 +122,8 @@ class DrapeSession : public Session {
   Phase phase_ = Phase::kSew;
   Began began_ = Began::kPlaced;
   bool grounded_ = false;
-  std::optional<StopReason> stop_reason_;  ///< while phase_ is kDone
+  std::optional<dressing::Person> wearer_;  ///< whose shoulders keep the garment until they move
+  std::optional<StopReason> stop_reason_;   ///< while phase_ is kDone
   SettleWatch watch_;
   RestProbe probe_;
   BodyMotion motion_;

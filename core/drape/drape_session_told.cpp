@@ -45,6 +45,7 @@ Status DrapeSession::restore(SessionState state) {
   watch_.restore(std::move(state.watch));
   probe_.restore(std::move(state.probe));
   motion_.restore(state.motion, solver_->model(), obstacles_);
+  solver_->set_features(features_now());
   solver_->restore(std::move(state.solver));  // among the bodies as they were
   bodies_moved_ = true;
   phase_ = state.phase;
@@ -119,6 +120,14 @@ std::vector<HoldFigures> DrapeSession::holds() const {
     figures.push_back(hold);
   }
   return figures;
+}
+
+std::array<bool, 2> DrapeSession::held_on_shoulders() const {
+  std::array<bool, 2> held{};
+  const std::vector<solver::constraints::ShoulderHold>& holds = solver_->features().shoulders;
+  for (std::size_t side = 0; side < holds.size(); ++side)
+    held.at(side) = solver::constraints::bears(holds[side], solver_->positions());
+  return held;
 }
 
 std::vector<double> DrapeSession::pair_gaps() const {

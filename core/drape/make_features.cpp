@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/drape/shoulder_holds.h"
 #include "core/mesh/topology.h"
 #include "core/sewing/attached_places.h"
 
@@ -121,13 +122,16 @@ std::vector<solver::constraints::Tether> tethers_of(const DrapeInput& input, con
 
 solver::ClothFeatures make_features(const DrapeInput& input, const sewing::Assembly& assembly,
                                     std::span<const Index> vertex_of, Index vertex_count,
-                                    const std::vector<bool>& released) {
+                                    const std::vector<bool>& released,
+                                    const std::optional<dressing::Person>& wearer) {
   return {input.settings.air,
           ties_of(input, assembly, vertex_of),
           elastics_of(input, assembly, vertex_of),
           folds_of(input, assembly, vertex_of),
           chambers_of(input, assembly, vertex_of, vertex_count),
-          tethers_of(input, assembly, vertex_of, released)};
+          tethers_of(input, assembly, vertex_of, released),
+          wearer ? make_shoulder_holds(assembly, wearer->figure, vertex_of, vertex_count)
+                 : std::vector<solver::constraints::ShoulderHold>{}};
 }
 
 double off_hold(const DrapeInput& input, const sewing::Assembly& assembly, std::size_t a,

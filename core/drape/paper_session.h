@@ -50,6 +50,7 @@ class PaperSession : public Session {
   }
   MotionFigures motion() const override { return {}; }
   std::vector<HoldFigures> holds() const override;
+  std::array<bool, 2> held_on_shoulders() const override { return {}; }
 
   std::vector<Vec3> positions() const override { return cloth_.positions(); }
   const std::vector<Vec3>& start_positions() const override { return assembly_.positions; }

@@ -343,6 +343,20 @@ void DrapeRun::tell_motion(DrapeResult& result) const {
       preflight::found(FindingKind::kBodyStopped, std::move(message), std::move(about), motion.place));
 }
 
+/// The cloth itself would slide off: a person who wears it will want to know.
+void DrapeRun::tell_held(DrapeResult& result) const {
+  const std::array<bool, 2> held = session_->held_on_shoulders();
+  for (const std::size_t side : {measure::kWearersLeft, measure::kWearersRight}) {
+    if (!person_ || !held.at(side)) continue;
+    result.findings.push_back(preflight::found(preflight::FindingKind::kHeldOn,
+                                               std::string("the garment would slide off the ") +
+                                                   (side == measure::kWearersLeft ? "left" : "right") +
+                                                   " shoulder and is held there; a narrower neck, a shorter "
+                                                   "shoulder seam or more friction keeps it on",
+                                               {}, person_->figure.shoulder.at(side)));
+  }
+}
+
 DrapeResult DrapeRun::conclude() {
   {
     const GoTimer timer(result_);
@@ -363,6 +377,7 @@ DrapeResult DrapeRun::conclude() {
       judge_worn(input(), any_moves(input()) ? dressing::find_person(result.bodies) : person_, result.garment,
                  result.positions, tops_, result.open_seams);
   tell_motion(result);
+  tell_held(result);
   result.worn = verdict.worn;
   std::move(verdict.findings.begin(), verdict.findings.end(), std::back_inserter(result.findings));
   if (session_->began() == Began::kWarm)

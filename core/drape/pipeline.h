@@ -72,6 +72,7 @@ class DrapeRun {
   void tell_left_out_by_paper();
   void tell_what_is_left_open(DrapeResult& result) const;
   void tell_motion(DrapeResult& result) const;
+  void tell_held(DrapeResult& result) const;
   void record_frame();
 
   const DrapeInput& given_;

@@ -2,6 +2,7 @@
 // A drape under way, by whichever method the settings ask for. Advances by steps, so that whoever runs it may
 // watch, pause or stop between any two.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -55,6 +56,8 @@ class Session {
   virtual std::vector<std::vector<Vec3>> moved_bodies() const = 0;
   virtual MotionFigures motion() const = 0;
   virtual std::vector<HoldFigures> holds() const = 0;  ///< one for each attachment
+  /// Left, right: whether the garment stays on the wearer's shoulder only since it is held there.
+  virtual std::array<bool, 2> held_on_shoulders() const = 0;
 
   virtual std::vector<Vec3> positions() const = 0;  ///< m, of the garment's vertices
   virtual const std::vector<Vec3>& start_positions() const = 0;

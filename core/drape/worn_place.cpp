@@ -7,17 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "core/dressing/shoulders.h"
 #include "core/pattern/seams/piece_words.h"
 
 namespace toile::drape {
 namespace {
 
-/// Cloth is on a shoulder where it crosses the ridge from the neck to the shoulder's outer end within this
-/// share of it: straps that have slid hang over the arm's root, beyond 0.85 in what was looked at, others
-/// within 0.75.
-constexpr double kInnerShoulder = 0.8;
-/// m from the straight line between the ridge's ends: below, above (the neck's muscle), and across.
-constexpr double kBelowRidge = 0.02, kAboveRidge = 0.06, kAcrossRidge = 0.04;
 /// Bodices reach at least as high between waist (0) and bust (1); those that only hang on the hips do not.
 constexpr double kLowestTop = 0.3;
 constexpr double kWiderThanArmhole = 1.15;  // openings for head and arm are wider than this
@@ -32,11 +27,6 @@ dressing::Enclosure around(std::initializer_list<dressing::Limb> limbs) {
   dressing::Enclosure these;
   for (const dressing::Limb limb : limbs) these.times[limb] = 1;
   return these;
-}
-
-bool goes_around(std::span<const dressing::WornRing> rings, dressing::Limb arm) {
-  return std::any_of(rings.begin(), rings.end(),
-                     [&](const dressing::WornRing& ring) { return ring.around == around({arm}); });
 }
 
 /// The other's armhole, where the head goes through this ring together with one arm alone.
@@ -82,18 +72,6 @@ void tell_neck_shut(const DrapeInput& input, const measure::BodyFigure& figure,
             ": its neck is sewn shut or too narrow; take the seam there away",
         std::move(about), x[ring.vertices.front()]));
   }
-}
-
-/// Whether any cloth lies on the shoulder's ridge, nearer to the neck than its outer end.
-bool lies_on_shoulder(const measure::BodyFigure& figure, std::size_t side, std::span<const Vec3> x) {
-  const Vec3 neck = figure.neck_side[side], ridge = figure.shoulder[side] - neck;
-  if (ridge.x == 0) return true;  // no shoulder to slide off
-  return std::any_of(x.begin(), x.end(), [&](Vec3 p) {
-    const double share = (p.x - neck.x) / ridge.x;
-    const Vec3 off = p - (neck + ridge * share);
-    return share >= 0 && share <= kInnerShoulder && off.y >= -kBelowRidge && off.y <= kAboveRidge &&
-           std::abs(off.z) <= kAcrossRidge;
-  });
 }
 
 /// Whether a piece that is none of a sleeve began at the height of that shoulder.
@@ -154,8 +132,9 @@ preflight::Findings out_of_place(const DrapeInput& input, const measure::BodyFig
   preflight::Findings findings;
   for (const std::size_t side : {measure::kWearersLeft, measure::kWearersRight}) {
     const bool left = side == measure::kWearersLeft;
-    if (!goes_around(rings, left ? dressing::kLeftArm : dressing::kRightArm)) continue;
-    if (lies_on_shoulder(figure, side, x) || !began_on_shoulder(input, figure, side, tops)) continue;
+    if (!dressing::has_armhole(rings, side)) continue;
+    if (dressing::lies_on_shoulder(figure, side, x) || !began_on_shoulder(input, figure, side, tops))
+      continue;
     findings.push_back(preflight::found(preflight::FindingKind::kOffShoulder,
                                         std::string("the garment has slid off the ") +
                                             (left ? "left" : "right") +

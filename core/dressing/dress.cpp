@@ -207,6 +207,13 @@ void make_room(const Wearer& wearer, Sewn& sewn) {
   open_gaps(collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count), wearer.obstacles(), sewn.x);
 }
 
+void judge(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dressed) {
+  dressed.certificate = certify(assembly.garment, dressed.positions, wearer.slim(0), wearer.crossing(),
+                                wearer.obstacles(), wearer.skeleton());
+  dressed.bared_shoulders =
+      bared_shoulders(assembly, wearer.figure(), dressed.certificate.rings, dressed.positions);
+}
+
 /// The cloth comes back to its shape, as far as that makes no new tangle. False where it is tangled as it is.
 bool come_back(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
                const RunContext& context, Effort& effort, Sewn& sewn) {
@@ -269,8 +276,7 @@ Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
   if (parted) make_room(wearer, sewn);  // no room makes good what is not on
   for (Index i = 0; i < g.vertex_count(); ++i)
     dressed.positions.push_back(snapped(sewn.x[sewn.vertex_of[i]]));
-  dressed.certificate =
-      certify(g, dressed.positions, wearer.slim(0), wearer.crossing(), wearer.obstacles(), wearer.skeleton());
+  judge(assembly, wearer, dressed);
   return dressed;
 }
 
@@ -284,8 +290,7 @@ void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dre
   make_room(wearer, sewn);
   for (std::size_t i = 0; i < dressed.positions.size(); ++i)
     dressed.positions[i] = snapped(sewn.x[sewn.vertex_of[i]]);
-  dressed.certificate =
-      certify(g, dressed.positions, whole, wearer.crossing(), wearer.obstacles(), wearer.skeleton());
+  judge(assembly, wearer, dressed);
 }
 
 bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& a,

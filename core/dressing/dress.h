@@ -27,9 +27,10 @@ struct Dressed {
   std::vector<Vec3> positions;  ///< m, one a garment vertex, sewn ones together
   Certificate certificate;
   DressingWay way;
-  std::size_t number = 0;  ///< of the way, in dressing_ways()
-  double seam_gap = 0;     ///< m, the widest when the seams were joined
-  Effort effort;           ///< what is left of it
+  std::size_t number = 0;   ///< of the way, in dressing_ways()
+  double seam_gap = 0;      ///< m, the widest when the seams were joined
+  Effort effort;            ///< what is left of it
+  int bared_shoulders = 0;  ///< that it was meant to lie on: straps hang on the arms
 };
 
 /// Who looks on: called now and then with where each garment vertex is, m. May be empty.

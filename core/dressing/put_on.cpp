@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "core/collision/crossings.h"
 #include "core/mesh/flat_locator.h"
@@ -17,6 +18,12 @@ constexpr double kSqueezed = 0.4;  // as Certificate::shrink_p99
 
 /// Share of the worst panel's crossings from which on another is at fault as well.
 constexpr double kCrossesMost = 0.5;
+
+/// Of a shape that is certified. Straps that hang on the arms are not drawn back onto the shoulders by any
+/// drape; squeezed cloth unfolds.
+std::pair<int, double> shortcomings_of(const Dressed& dressed) {
+  return {dressed.bared_shoulders, dressed.certificate.shrink_p99};
+}
 
 Shortfall shortfall_of(const Certificate& c) { return {c.wrong_rings(), c.crossings.all()}; }
 
@@ -121,7 +128,7 @@ TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, con
       continue;
     }
     const double squeezed = dressed.certificate.shrink_p99;
-    if (tried.on && squeezed >= tried.on->certificate.shrink_p99) continue;
+    if (tried.on && shortcomings_of(dressed) >= shortcomings_of(*tried.on)) continue;
     if (&fine != &coarse) {
       dressed.positions = carried_over(fine.garment, coarse.garment, dressed.positions);
       finish(fine, wearer, dressed);
@@ -129,7 +136,7 @@ TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, con
     if (!dressed.certificate.holds()) continue;
     tried.on = std::move(dressed);
     tried.on->certificate.shrink_p99 = squeezed;
-    if (squeezed < kSqueezed) break;
+    if (squeezed < kSqueezed && tried.on->bared_shoulders == 0) break;
   }
   if (tried.on || !nearest) return tried;
   tried.nearest = nearest->number;

@@ -27,12 +27,12 @@ struct TriedOn {
   std::size_t next = 0;         ///< the first of these
 };
 
-/// Tries each way on `coarse`, and carries the first that is certified there and not badly squeezed, else the
-/// least squeezed that as much work again finds, over to `fine`, where it must be certified again:
-/// `positions` are those of `fine`. Both are of one pattern, placed and sewn alike; they may be the same. The
-/// ways before `first`, an index into dressing_ways(), are passed over; so are those for which no effort is
-/// left, but for one. Nothing is on where no way leads there, or where the context was cancelled. Progress
-/// phase: "dress".
+/// Tries each way on `coarse`, and carries the first that is certified there, bares no shoulder and is not
+/// badly squeezed, else the one with the fewest bared, and of those the least squeezed, that as much work
+/// again finds, over to `fine`, where it must be certified again: `positions` are those of `fine`. Both are
+/// of one pattern, placed and sewn alike; they may be the same. The ways before `first`, an index into
+/// dressing_ways(), are passed over; so are those for which no effort is left, but for one. Nothing is on
+/// where no way leads there, or where the context was cancelled. Progress phase: "dress".
 TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, const Wearer& wearer,
                const RunContext& context, std::size_t first = 0, Effort effort = Effort());
 

@@ -14,6 +14,13 @@ namespace {
 constexpr double kFromNeck = 0.15, kToArm = 1.05, kBeyond = 1.4;
 constexpr double kAcross = 0.04, kBelow = 0.01, kWider = 0.02;  // m from the ridge: to front and back, down
 
+/// Cloth is on a shoulder where it crosses the ridge from the neck to the shoulder's outer end within this
+/// share of it: straps that have slid hang over the arm's root, beyond 0.85 in what was looked at, others
+/// within 0.75.
+constexpr double kInnerShoulder = 0.8;
+/// m from the straight line between the ridge's ends: below, above (the neck's muscle), and across.
+constexpr double kBelowRidge = 0.02, kAboveRidge = 0.06, kAcrossRidge = 0.04;
+
 constexpr double kBackIn = 3e-3, kLowering = 4e-3;  // m at a time
 
 /// Where a place is beside the ridge of the shoulder on its side.
@@ -30,7 +37,43 @@ AtRidge at_ridge(const measure::BodyFigure& figure, Vec3 p) {
   return {share, p - (neck + ridge * share)};
 }
 
+/// Whether a piece that is none for an arm was placed at the height of that shoulder.
+bool placed_above(const sewing::Assembly& assembly, const measure::BodyFigure& figure, std::size_t side) {
+  const std::vector<Covers> covers = covers_of(assembly, figure);
+  for (std::size_t v = 0; v < assembly.positions.size(); ++v) {
+    const Covers part = covers[static_cast<std::size_t>(assembly.garment.panel_of_vertex[v])];
+    if (part != Covers::kArm && assembly.positions[v].y >= figure.shoulder[side].y) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+bool lies_on_shoulder(const measure::BodyFigure& figure, std::size_t side, std::span<const Vec3> x) {
+  const Vec3 neck = figure.neck_side[side], ridge = figure.shoulder[side] - neck;
+  if (ridge.x == 0) return true;  // no shoulder to slide off
+  return std::any_of(x.begin(), x.end(), [&](Vec3 p) {
+    const double share = (p.x - neck.x) / ridge.x;
+    const Vec3 off = p - (neck + ridge * share);
+    return share >= 0 && share <= kInnerShoulder && off.y >= -kBelowRidge && off.y <= kAboveRidge &&
+           std::abs(off.z) <= kAcrossRidge;
+  });
+}
+
+bool has_armhole(std::span<const WornRing> rings, std::size_t side) {
+  Enclosure arm;
+  arm.times[side == measure::kWearersLeft ? kLeftArm : kRightArm] = 1;
+  return std::any_of(rings.begin(), rings.end(), [&](const WornRing& ring) { return ring.around == arm; });
+}
+
+int bared_shoulders(const sewing::Assembly& assembly, const measure::BodyFigure& figure,
+                    std::span<const WornRing> rings, std::span<const Vec3> x) {
+  int bared = 0;
+  for (const std::size_t side : {measure::kWearersLeft, measure::kWearersRight})
+    bared += has_armhole(rings, side) && placed_above(assembly, figure, side) &&
+             !lies_on_shoulder(figure, side, x);
+  return bared;
+}
 
 bool is_over_shoulder(const measure::BodyFigure& figure, Vec3 p) {
   const AtRidge at = at_ridge(figure, p);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/body/measure/figure.h"
+#include "core/dressing/certificate.h"
 #include "core/dressing/figure.h"
 #include "core/dressing/wearer.h"
 #include "core/sewing/assembly.h"
@@ -24,6 +25,17 @@ bool goes_over_shoulders(const measure::BodyFigure& figure, std::span<const Vec3
 /// cloth is above a shoulder: a skirt, a strapless bodice. `body` is the whole figure, not drawn in.
 std::optional<double> room_over_shoulders(const measure::BodyFigure& figure, const SlimFigure& body,
                                           std::span<const Vec3> x);
+
+/// Whether any cloth lies on the ridge of a shoulder, nearer to the neck than its outer end.
+bool lies_on_shoulder(const measure::BodyFigure& figure, std::size_t side, std::span<const Vec3> x);
+
+/// Whether a border goes around the arm of a side alone.
+bool has_armhole(std::span<const WornRing> rings, std::size_t side);
+
+/// How many of the shoulders are bare that a garment with an armhole there was placed above. `x`: m, one a
+/// vertex of the assembly; `rings` are those of x.
+int bared_shoulders(const sewing::Assembly& assembly, const measure::BodyFigure& figure,
+                    std::span<const WornRing> rings, std::span<const Vec3> x);
 
 /// Two hands at a garment's shoulders. `wearer` must outlive it.
 class OnShoulders {

@@ -41,6 +41,7 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTable{{
     {kSlit, "worn.slit", kWarning, kWarning, kPattern, false},
     {kSlipped, "worn.slipped", kWarning, kWarning, kPattern, false},
     {kOffShoulder, "worn.off_shoulder", kWarning, kWarning, kPattern, false},
+    {kHeldOn, "worn.held", kWarning, kWarning, kPattern, false},
     {kNeckShut, "worn.neck_shut", kWarning, kWarning, kPlacement, false},
     {kElsewhere, "worn.elsewhere", kWarning, kWarning, kPlacement, false},
     {kOnGround, "worn.on_ground", kWarning, kWarning, kPlacement, false},

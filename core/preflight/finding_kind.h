@@ -48,6 +48,7 @@ enum class FindingKind : std::uint8_t {
   kSlit,
   kSlipped,
   kOffShoulder,
+  kHeldOn,
   kNeckShut,
   kElsewhere,
   kOnGround,

@@ -10,6 +10,7 @@
 #include "core/solver/constraints/elastic.h"
 #include "core/solver/constraints/fold.h"
 #include "core/solver/constraints/pressure.h"
+#include "core/solver/constraints/shoulder_hold.h"
 #include "core/solver/constraints/tether.h"
 
 namespace toile::solver {
@@ -22,6 +23,7 @@ struct ClothFeatures {
   std::vector<constraints::FoldHinge> folds;
   std::vector<constraints::PressureChamber> chambers;
   std::vector<constraints::Tether> tethers;
+  std::vector<constraints::ShoulderHold> shoulders;
 };
 
 /// How far features have come in a step.

@@ -130,6 +130,17 @@ inline pattern::Pattern wedge_skirt() {
   return pattern;
 }
 
+/// A top whose neckline is a V down to its lower edge, before and behind: only the shoulders hold its straps.
+inline pattern::Pattern open_top() {
+  pattern::Pattern p;
+  const std::vector<Vec2> corners{{-220, 0}, {220, 0},    {240, 280},  {170, 420},  {170, 500}, {110, 500},
+                                  {0, 60},   {-110, 500}, {-170, 500}, {-170, 420}, {-240, 280}};
+  p.panels = {polygon("front", corners), turned_over("back", corners)};
+  for (const Index e : {1, 4, 7, 10})
+    p.seams.push_back(seam("s" + std::to_string(e), {{0, e}}, {{1, 10 - e}}));
+  return p;
+}
+
 /// Two rectangles sewn at their sides, as a top without straps.
 inline pattern::Pattern strapless() {
   pattern::Pattern pattern;

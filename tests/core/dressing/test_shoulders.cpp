@@ -47,19 +47,8 @@ TEST(Shoulders, TheRoomIsThatOfTheClothNearestToOne) {
   EXPECT_TRUE(dressing::goes_over_shoulders(figure(), both));
 }
 
-/// A top whose neckline is a V down to its lower edge, before and behind: only the shoulders hold its straps.
-pattern::Pattern open_top() {
-  pattern::Pattern p;
-  const std::vector<Vec2> corners{{-220, 0}, {220, 0},    {240, 280},  {170, 420},  {170, 500}, {110, 500},
-                                  {0, 60},   {-110, 500}, {-170, 500}, {-170, 420}, {-240, 280}};
-  p.panels = {test::polygon("front", corners), test::turned_over("back", corners)};
-  for (const Index e : {1, 4, 7, 10})
-    p.seams.push_back(test::seam("s" + std::to_string(e), {{0, e}}, {{1, 10 - e}}));
-  return p;
-}
-
 sewing::Assembly placed_open_top() {
-  const auto meshes = mesh::make_panel_meshes(open_top(), 0.025, {}).value();
+  const auto meshes = mesh::make_panel_meshes(test::open_top(), 0.025, {}).value();
   const double height = figure().shoulder[0].y - 0.47;
   const std::vector<sewing::Placement> places{
       sewing::RigidPlacement{{0, height, 0.22}, {}, false},
@@ -82,6 +71,21 @@ TEST(Shoulders, StrapsThatNothingElseHoldsLieOnThemOncePutOn) {
     EXPECT_LT(whole.clearance(dressed.positions[v]), 0.05);
   }
   EXPECT_GT(count, 8);
+}
+
+int bared(const sewing::Assembly& top, std::vector<Vec3> x, Vec3 moved) {
+  for (Vec3& p : x) p += moved;
+  const dressing::Wearer wearer(test::person());
+  return dressing::bared_shoulders(top, figure(), dressing::worn_rings(top.garment, x, wearer.skeleton()), x);
+}
+
+TEST(Shoulders, AreBareWhereStrapsHangOnTheArms) {
+  const sewing::Assembly top = placed_open_top();
+  const dressing::Wearer wearer(test::person());
+  const std::vector<Vec3> on = dressing::dress(top, wearer, dressing::dressing_ways().front(), {}).positions;
+  EXPECT_EQ(bared(top, on, {}), 0);
+  EXPECT_EQ(bared(top, on, {0, -0.06, 0}), 2) << "around the arms still, but below";
+  EXPECT_EQ(bared(top, on, {0, -0.6, 0}), 0) << "no arm goes through it: that is another matter";
 }
 
 }  // namespace

@@ -399,6 +399,7 @@ export const codes: Codes = {
   'webhooks.too_many': 'Zu viele Webhooks',
   'webhooks.url': 'Das ist keine Adresse für einen Webhook',
   'worn.elsewhere': 'Ein Teil des Kleidungsstücks endete, wo er nicht hingehört',
+  'worn.held': 'Das Kleidungsstück würde von einer Schulter rutschen und wird dort gehalten',
   'worn.neck_shut': 'Der Halsausschnitt ging nicht über den Kopf',
   'worn.off_shoulder': 'Das Kleidungsstück rutschte von einer Schulter',
   'worn.on_ground': 'Das Kleidungsstück liegt auf dem Boden',

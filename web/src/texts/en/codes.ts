@@ -397,6 +397,7 @@ export const codes = {
   'webhooks.too_many': 'Too many webhooks',
   'webhooks.url': 'That is no address for a webhook',
   'worn.elsewhere': 'A part of the garment ended where it does not belong',
+  'worn.held': 'The garment would slide off a shoulder, and is held there',
   'worn.neck_shut': 'The neck opening did not go over the head',
   'worn.off_shoulder': 'The garment slid off a shoulder',
   'worn.on_ground': 'The garment lies on the ground',
