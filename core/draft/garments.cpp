@@ -6,6 +6,7 @@
 #include "core/draft/circle_dress.h"
 #include "core/draft/circle_skirt.h"
 #include "core/draft/house.h"
+#include "core/draft/jacket.h"
 #include "core/draft/pencil_skirt.h"
 #include "core/draft/trousers.h"
 #include "core/draft/tshirt.h"
@@ -26,6 +27,8 @@ const std::vector<GarmentKind>& garment_kinds() {
        [](const Wearer& w) { return draft_circle_dress(w); }},
       {"blouse", "Blouse with a stand collar, a placket, set-in sleeves and cuffs", "eu40",
        [](const Wearer& w) { return draft_blouse(w); }},
+      {"jacket", "Tailored jacket with lapels, a collar that falls, panel seams and two-piece sleeves",
+       "eu40", [](const Wearer& w) { return draft_jacket(w); }},
       {"trapezoids", "One shape, six fabrics, hung by two corners", "",
        [](const Wearer&) { return draft_trapezoids(); }},
       {"tablecloth", "Round cloth on a round table", "", [](const Wearer&) { return draft_tablecloth(); }},

@@ -52,7 +52,7 @@ std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input,
   for (pattern::Panel& panel : pattern.panels) panel.spacing = std::max(panel.spacing, distance);
   const auto meshes = mesh::make_panel_meshes(pattern, distance, context);
   if (!meshes) return std::nullopt;
-  auto assembly = sewing::assemble(*meshes, placements, {}, {});
+  auto assembly = sewing::assemble(*meshes, placements, {}, input.notions);
   if (!assembly) return std::nullopt;
   return std::move(*assembly);
 }
@@ -62,7 +62,7 @@ dressing::TriedOn put_on_from(const DrapeInput& input, const mesh::PanelMeshes& 
                               const std::vector<sewing::Placement>& placements,
                               const dressing::Wearer& wearer, std::size_t first, dressing::Effort effort,
                               const RunContext& context) {
-  const auto fine = sewing::assemble(meshes, placements, {}, {});
+  const auto fine = sewing::assemble(meshes, placements, {}, input.notions);
   if (!fine) return {};
   const double distance = coarse_distance(meshes), own = input.settings.particle_distance;
   const auto by_mesh_of = [&](double shape, dressing::Effort left) {
@@ -80,9 +80,10 @@ dressing::TriedOn put_on_from(const DrapeInput& input, const mesh::PanelMeshes& 
 
 /// Whether pieces stand at `placements` as they do in the start: a garment that was arranged is arranged so
 /// again, but for what the mesh's fineness and the document's decimals make of it.
-bool stand_alike(const DrapeStart& start, const std::vector<sewing::Placement>& placements) {
+bool stand_alike(const DrapeStart& start, const std::vector<sewing::Placement>& placements,
+                 const sewing::Notions& notions) {
   constexpr double kAlike = 5e-3;  // m: less than ways differ by
-  const auto anew = sewing::assemble(start.meshes, placements, {}, {});
+  const auto anew = sewing::assemble(start.meshes, placements, {}, notions);
   if (!anew) return false;
   const std::vector<Vec3>&x = start.placed.positions, &y = anew->positions;
   return std::equal(x.begin(), x.end(), y.begin(), y.end(),
@@ -147,7 +148,7 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
   auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
   if (!anew) return tries;
   for (const Index p : anew->unplaced) anew->placements[p] = input.placements[p];
-  const bool alike = stand_alike(start, anew->placements);
+  const bool alike = stand_alike(start, anew->placements, input.notions);
   if (alike && !tries.gave_up) return tries;
   // Where they stand so already, the work is for the ways that were not reached.
   PutOnTries arranged =

@@ -150,8 +150,9 @@ void write_one(StateWriter& out, const sewing::GarmentMesh& garment) {
   write(out, rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld);
 }
 void write_one(StateWriter& out, const sewing::Assembly& assembly) {
-  const auto& [garment, positions, attached, led, notions] = assembly;
+  const auto& [garment, positions, attached, led, notions, turned] = assembly;
   write(out, garment, positions, attached, led, notions);
+  if (!turned.empty()) write(out, turned);  // all others keep their hash
 }
 
 template <typename T>

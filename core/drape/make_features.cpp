@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/drape/shoulder_holds.h"
@@ -63,6 +64,8 @@ std::vector<solver::constraints::FoldHinge> folds_of(const DrapeInput& input,
   for (const mesh::MeshEdge& e : mesh::edges_of(garment.triangles, garment.vertex_count())) {
     edges.emplace(std::minmax(e.v0, e.v1), e);
   }
+  std::set<std::pair<Index, Index>> turned;
+  for (const auto& [a, b] : assembly.turned) turned.insert(std::minmax(a, b));
   for (std::size_t i = 0; i < input.notions.creases.size(); ++i) {
     const sewing::Crease& crease = input.notions.creases[i];
     const double sine = rounded(std::sin(crease.angle / 2)), cosine = rounded(std::cos(crease.angle / 2));
@@ -72,7 +75,8 @@ std::vector<solver::constraints::FoldHinge> folds_of(const DrapeInput& input,
         if (found == edges.end() || found->second.t1 == kNone) continue;
         const mesh::MeshEdge& e = found->second;
         hinges.push_back({vertex_of[e.v0], vertex_of[e.v1], vertex_of[e.opposite0], vertex_of[e.opposite1],
-                          sine, cosine, crease.stiffness * length(garment.rest[e.v1] - garment.rest[e.v0])});
+                          sine, cosine, crease.stiffness * length(garment.rest[e.v1] - garment.rest[e.v0]),
+                          turned.contains(found->first)});
       }
     }
   }

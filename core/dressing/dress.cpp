@@ -44,8 +44,10 @@ double mean_edge(const sewing::GarmentMesh& g) {
   return sum / static_cast<double>(std::max<std::size_t>(1, g.triangles.size()));
 }
 
-Sewn shape_of(const sewing::GarmentMesh& g, std::vector<Index> vertex_of, std::span<const Vec3> x) {
+Sewn shape_of(const sewing::Assembly& assembly, std::vector<Index> vertex_of, std::span<const Vec3> x) {
+  const sewing::GarmentMesh& g = assembly.garment;
   Sewn s;
+  for (const auto& [a, b] : assembly.turned) s.mesh.turned.push_back({vertex_of[a], vertex_of[b]});
   s.mesh.vertex_count = 1 + *std::max_element(vertex_of.begin(), vertex_of.end());
   s.mesh.spacing = mean_edge(g);
   std::vector<int> count(static_cast<std::size_t>(s.mesh.vertex_count), 0);
@@ -157,7 +159,7 @@ std::vector<Vec3> drawn_together(const sewing::Assembly& assembly, const Wearer&
   const std::vector<Covers> covers = covers_of(assembly, wearer.figure());
   const std::vector<Vec3> start = staged(assembly, covers, wearer.figure(), way.staging);
   const SlimFigure slim = wearer.slim(way.slim);
-  Sewn open = shape_of(g, each_for_itself(g.vertex_count()), start);
+  Sewn open = shape_of(assembly, each_for_itself(g.vertex_count()), start);
   ShapeSolver solver(open.mesh, threads_of(g, covers, start), rubber(way));
   AxisGuard guard(axes_of(wearer.skeleton()), open.mesh.triangles, open.x);
   for (int i = 0; i < kSewing && !context.cancelled(); ++i) {
@@ -268,7 +270,7 @@ Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
   Dressed dressed{{}, {}, way, 0, 0, effort};
   const std::vector<Vec3> open = drawn_together(assembly, wearer, way, context, watch);
   for (const auto& [i, j] : g.sewn) dressed.seam_gap = std::max(dressed.seam_gap, length(open[i] - open[j]));
-  Sewn sewn = shape_of(g, joined(g), open);
+  Sewn sewn = shape_of(assembly, joined(g), open);
   grow(assembly, wearer, way, context, watch, sewn);
   dressed.effort.spend(g.vertex_count(), kSewing + kGrowing + kJudging);
   const bool parted = rings_right(g, unjoined(sewn), wearer.skeleton()) &&
@@ -283,7 +285,7 @@ Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
 void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dressed) {
   const sewing::GarmentMesh& g = assembly.garment;
   const SlimFigure whole = wearer.slim(0);
-  Sewn sewn = shape_of(g, joined(g), dressed.positions);
+  Sewn sewn = shape_of(assembly, joined(g), dressed.positions);
   for (Vec3& p : sewn.x) p = whole.moved_out(p, kFinishing);
   untangle(collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count), whole, wearer.crossing(),
            sewn.mesh.spacing, kUntangling, sewn.x);

@@ -4,6 +4,8 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "core/base/check.h"
 #include "core/mesh/topology.h"
@@ -125,8 +127,10 @@ void ShapeSolver::add_bending() {
     const auto& r = mesh_.rest[t];
     return std::max(kLeastArea, 0.5 * std::abs(cross(r[1] - r[0], r[2] - r[0])));
   };
+  std::set<std::pair<Index, Index>> turned;
+  for (const auto& [a, b] : mesh_.turned) turned.insert(std::minmax(a, b));
   for (const mesh::MeshEdge& e : mesh::edges_of(mesh_.triangles, mesh_.vertex_count)) {
-    if (e.t1 == kNone) continue;
+    if (e.t1 == kNone || turned.contains(std::minmax(e.v0, e.v1))) continue;
     const double a0 = cotangent(e.t0, e.v0), a1 = cotangent(e.t0, e.v1);
     const double b0 = cotangent(e.t1, e.v0), b1 = cotangent(e.t1, e.v1);
     const std::array<Index, 4> v{e.v0, e.v1, e.opposite0, e.opposite1};

@@ -20,6 +20,8 @@ struct ShapeMesh {
   std::vector<Tri> triangles;
   std::vector<std::array<Vec2, 3>> rest;  ///< m, corners of each triangle in the flat
   double spacing = 0.02;                  ///< m, mean edge
+  /// Edges about which the cloth lies turned over: it does not resist bending there.
+  std::vector<std::array<Index, 2>> turned = {};
 };
 
 /// How much each wish counts; the membrane's is 1.

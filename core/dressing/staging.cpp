@@ -11,6 +11,7 @@ namespace toile::dressing {
 namespace {
 
 constexpr double kNearArm = 0.3;    // m from the arm's line to a sleeve's middle, at most
+constexpr double kSidePanel = 2;    // times as far from it as from the armpit: then it is the trunk's
 constexpr double kAside = 0.03;     // m beyond the armpit where sleeves begin
 constexpr double kTrunkTop = 0.35;  // of the way from waist to armpit, that pieces of the trunk reach
 constexpr double kWide = 0.4;       // m from the middle: hands hang in the way of what is wider,
@@ -36,8 +37,11 @@ double distance_to_line(Vec3 p, std::initializer_list<Vec3> corners) {
 bool at_arm(Vec3 p, const measure::BodyFigure& f) {
   const std::size_t side = p.x > f.middle ? 0 : 1;
   const measure::ArmLine& arm = f.arm[side];
-  return std::abs(p.x - f.middle) > std::abs(f.armpit[side].x - f.middle) + kAside &&
-         distance_to_line(p, {arm.root, arm.elbow, arm.wrist, arm.tip}) < kNearArm;
+  // Side panels of a bodice lie beyond the armpit as well while they are flat, but nearer to it than to the
+  // arm.
+  const double beyond = std::abs(p.x - f.middle) - std::abs(f.armpit[side].x - f.middle);
+  return beyond > kAside && distance_to_line(p, {arm.root, arm.elbow, arm.wrist, arm.tip}) <
+                                std::min(kNearArm, kSidePanel * beyond);
 }
 
 /// Where a piece is placed.

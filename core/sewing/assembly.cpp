@@ -1,10 +1,12 @@
 #include "core/sewing/assembly.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/snapped.h"
 #include "core/sewing/attached_places.h"
+#include "core/sewing/folded_start.h"
 
 namespace toile::sewing {
 
@@ -79,12 +81,18 @@ Result<Assembly> assemble(const mesh::PanelMeshes& meshes, const std::vector<Pla
   Assembly assembly;
   for (std::size_t i = 0; i < meshes.panels.size(); ++i) {
     append_panel(meshes.panels[i], static_cast<Index>(i), assembly.garment);
-    const std::vector<Vec3> placed = place(meshes.panels[i].rest, placements[i]);
+    std::vector<Crease> creases;
+    std::copy_if(notions.creases.begin(), notions.creases.end(), std::back_inserter(creases),
+                 [&](const Crease& c) { return c.panel == static_cast<Index>(i); });
+    const PlacedPiece piece = placed_folded(meshes.panels[i], placements[i], creases);
+    const std::vector<Vec3>& placed = piece.positions;
     if (!std::all_of(placed.begin(), placed.end(), [](Vec3 p) { return is_finite(p) && length(p) < 100; })) {
       return Error{"placement.not_finite", "the placement puts the piece nowhere, or over 100 m away",
                    "piece number " + std::to_string(i + 1)};
     }
     for (const Vec3& p : placed) assembly.positions.push_back(snapped(p));
+    const Index first = assembly.garment.first_vertex.back();
+    for (const auto& [a, b] : piece.turned) assembly.turned.push_back({a + first, b + first});
   }
   assembly.garment.first_vertex.push_back(assembly.garment.vertex_count());
   append_seams(meshes, assembly.garment);

@@ -16,6 +16,8 @@ struct Assembly {
   std::vector<std::vector<Index>> attached;  ///< garment vertices of each attachment, rising
   std::vector<std::vector<ClothPoint>> led;  ///< what of each attachment goes to its goal
   NotionPlaces notions;
+  /// Edges of the mesh about which a part of its piece begins turned over (folded_start.h).
+  std::vector<std::array<Index, 2>> turned = {};
 };
 
 /// Least vertex of the class that each vertex belongs to when the pairs `joined` are one.

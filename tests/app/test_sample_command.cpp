@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "core/json/tree.h"
 #include "core/project/project.h"
@@ -21,6 +24,41 @@ std::set<std::string> listed() {
   std::set<std::string> names;
   for (const json::JsonValue& one : *tree->find("samples")->array()) names.insert(*one.find("name")->text());
   return names;
+}
+
+/// Heights of one piece of a model, m.
+struct Tops {
+  double low = 1e9, high = -1e9;
+  int count = 0;
+};
+
+Tops tops_of(const fs::path& obj, const std::string& piece) {
+  std::ifstream in(obj);
+  std::vector<double> heights;
+  Tops tops;
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    if (kind == "v") {
+      double x = 0, y = 0;
+      words >> x >> y;
+      heights.push_back(y);
+    } else if (kind == "g" || kind == "o") {
+      std::string name;
+      words >> name;
+      inside = name == piece;
+    } else if (kind == "f" && inside) {
+      for (std::string corner; words >> corner;) {
+        const double y = heights[std::stoul(corner) - 1];
+        tops.low = std::min(tops.low, y);
+        tops.high = std::max(tops.high, y);
+        ++tops.count;
+      }
+    }
+  }
+  return tops;
 }
 
 TEST(SampleCommand, DraftsTheSamplesThatAreKept) {
@@ -64,6 +102,28 @@ TEST(SampleCommand, DraftsForTheBodyOfAFileAndBringsItAlong) {
   EXPECT_EQ(p.bodies.front().file, "body.obj");
   EXPECT_TRUE(fs::exists(made / "slacks/body.obj"));
   EXPECT_EQ(run_toile({"check", made / "slacks/project.json"}).code, 0);
+}
+
+TEST(SampleCommand, TheJacketIsWornWithItsEaseAndItsCollarTurnedOver) {
+  const fs::path kept = fs::path(TOILE_SOURCE_DIR) / "samples/jacket/project.json";
+  const fs::path out = fresh_folder("toile_sample_jacket_worn");
+  const Ran run = run_toile({"drape", kept, "--out", out});
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const auto report = json::parse_json(text_of(out / "report.json"));
+  EXPECT_EQ(*report->find("worn")->text(), "yes");
+  EXPECT_EQ(*report->find("intersections")->find("worst_frame")->find("cloth_cloth")->number(), 0);
+  EXPECT_EQ(*report->find("intersections")->find("worst_frame")->find("cloth_body")->number(), 0);
+  for (const json::JsonValue& fit : *report->find("fit")->array()) {
+    if (*fit.find("at")->text() == "waist") {
+      EXPECT_NEAR(*fit.find("ease_mm")->number(), 90, 10);
+    }
+  }
+  // What of the collar began highest, its outer edge, hangs below its roll line now: nothing reaches up as
+  // far as stand and fall together would.
+  const Tops collar = tops_of(out / "final.obj", "collar"), back = tops_of(out / "final.obj", "left_back");
+  ASSERT_GT(collar.count, 100);
+  EXPECT_LT(collar.high - back.high, 0.045);
+  EXPECT_LT(collar.low, back.high) << "the fall covers the seam that holds the collar";
 }
 
 TEST(SampleCommand, SaysWhatIsWrongWithWhatItWasAsked) {

@@ -35,6 +35,7 @@ double quarter_tangent(const FoldHinge& f, const Shape& s, double pressed) {
   const double cosine = std::clamp(dot(s.left, s.right) / areas, -1.0, 1.0);
   const double sign = dot(cross(s.left, s.right), s.edge) < 0 ? -1 : 1;
   const double half_sine = sign * std::sqrt(0.5 * (1 - cosine)), half_cosine = std::sqrt(0.5 * (1 + cosine));
+  if (f.turned) pressed = 1;
   // The rest angle on its way: between flat (1, 0) and its own direction, which are at most 90° apart.
   const Vec2 rest = normalized(Vec2{1 + (f.half_cosine - 1) * pressed, f.half_sine * pressed});
   const double sine = half_sine * rest.x - half_cosine * rest.y;

@@ -16,10 +16,11 @@ struct FoldHinge {
   Index e0 = kNone, e1 = kNone, left = kNone, right = kNone;
   double half_sine = 0, half_cosine = 1;  ///< of half the rest angle
   double stiffness = 0;                   ///< N·m per radian: of the crease, times the edge's rest length
+  bool turned = false;                    ///< it began at its angle, and is whole from the first step on
 };
 
 /// 4 tan(δ/4) of the hinge at x, δ being its angle less its rest angle where the crease is `pressed` (0: flat
-/// yet, 1: at its own angle). 0 where a triangle has no area.
+/// yet, 1: at its own angle, as `turned` ones are always). 0 where a triangle has no area.
 double fold_difference(const FoldHinge& hinge, double pressed, std::span<const Vec3> x);
 
 /// One pass of compliant hinges (XPBD).

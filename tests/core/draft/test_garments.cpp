@@ -8,6 +8,8 @@
 #include "core/body/mannequin/mannequin.h"
 #include "core/body/mannequin/proportions.h"
 #include "core/draft/circle_dress.h"
+#include "core/draft/jacket.h"
+#include "core/draft/lapel.h"
 #include "core/draft/pencil_skirt.h"
 #include "core/draft/trousers.h"
 #include "core/draft/tshirt.h"
@@ -167,6 +169,45 @@ TEST(CircleDress, HangsAFullCircleFromItsWaist) {
   }
   EXPECT_NEAR(waist, 760 + 25, 10);
   EXPECT_NEAR(hem - waist, 2 * 3.14159265 * 620, 1) << "a circle's circumference grows by 2 pi a length";
+}
+
+TEST(Jacket, IsAsWideAsItsConstructionSaysOnEveryBody) {
+  const std::vector<std::string> sides{"left", "right"};
+  for (const draft::Wearer& w : wearers()) {
+    const draft::Garment g = draft::draft_jacket(w);
+    const double scale = w.height / 1680, hem = w.waist_to_hip() + 30 * scale;
+    EXPECT_GE(g.pattern.panels.size(), 10u);
+    // Fronts are narrower than the quarter by what the lapels' fronts are cut away at the hem.
+    double hip = 0;
+    for (const std::string& side : sides)
+      for (const std::string piece : {" front", " side front", " back", " side back"})
+        hip += width_at(panel(g, side + piece), lowest(panel(g, side + piece)) + hem - w.waist_to_hip());
+    EXPECT_NEAR(hip, g.girths[2].garment, 45 * scale) << w.hip;
+    EXPECT_GE(g.girths[2].ease(), 75 * scale) << w.hip;
+    EXPECT_GE(g.girths[1].ease(), -1) << w.waist;
+    EXPECT_NEAR(g.girths[0].ease(), 110 * scale, 10) << w.bust;
+  }
+}
+
+TEST(Jacket, RollsAlongOneLineFromLapelToCollar) {
+  draft::LapelDraft d;
+  d.neck = {77, 380};
+  d.shoulder = {190, 330};
+  d.break_point = {0, 40};
+  const draft::Lapel lapel = draft::lapel_of(d);
+  const pattern::InnerLine roll = draft::lapel_roll(d);
+  EXPECT_EQ(roll.points.front(), d.break_point);
+  EXPECT_EQ(roll.points.back(), lapel.roll_top);
+  const pattern::Panel collar = draft::collar_of("collar", d);
+  const Vec2 joint = draft::edge_of(collar, "gorge_inner_right").curves.back().p3;
+  const std::vector<Vec2>& on_collar = collar.lines.front().points;
+  EXPECT_LT(length(on_collar.front() - joint), 1e-9) << "the collar's line begins where the lapel's ends";
+  EXPECT_NEAR(pattern::arc_length(draft::edge_of(collar, "neck")), 2 * d.back_neck, 1);
+  EXPECT_NEAR(on_collar[on_collar.size() / 2].y, d.stand, 1e-6) << "as high as the stand behind";
+  // Turned over, the tip lies on the body's side of the line, as far as the lapel is wide.
+  const Vec2 up = normalized(lapel.roll_top - d.break_point), out = lapel.tip - lapel.roll_top;
+  EXPECT_GT(cross(up, out), 0) << "unrolled it lies beyond the line";
+  EXPECT_NEAR(length(out), d.width, 1e-6);
 }
 
 TEST(Wearer, RefusesABodyWithoutTheMeasuresThatItNeeds) {

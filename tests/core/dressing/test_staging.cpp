@@ -67,6 +67,26 @@ sewing::Assembly placed(const pattern::Pattern& p) {
   return sewing::assemble(meshes, places, {}).value();
 }
 
+TEST(Staging, APanelBesideTheTrunkIsNoSleeve) {
+  const measure::BodyFigure& figure = test::person().figure;
+  const measure::ArmLine& arm = figure.arm[0];
+  const double armpit = figure.armpit[0].x;
+  pattern::Pattern p;
+  p.panels = {test::polygon("side", {{-70, -220}, {70, -220}, {70, 220}, {-70, 220}}),
+              test::polygon("sleeve", {{-150, -90}, {150, -90}, {150, 90}, {-150, 90}})};
+  const auto meshes = mesh::make_panel_meshes(p, 0.03, {}).value();
+  const Vec3 on_arm = (arm.root + arm.wrist) * 0.5;
+  const sewing::Assembly placed =
+      sewing::assemble(meshes,
+                       {sewing::RigidPlacement{{armpit + 0.05, figure.armpit[0].y - 0.25, 0.2}, {}, false},
+                        sewing::RigidPlacement{{on_arm.x, on_arm.y, 0.1}, {}, false}},
+                       {})
+          .value();
+  const std::vector<dressing::Covers> covers = dressing::covers_of(placed, figure);
+  EXPECT_EQ(covers[0], dressing::Covers::kTrunk) << "it lies flat beyond the armpit, and near the arm";
+  EXPECT_EQ(covers[1], dressing::Covers::kArm);
+}
+
 TEST(Staging, AWideSkirtIsFoldedDownInsideTheHandsAsLongAsItIs) {
   const measure::BodyFigure& figure = test::person().figure;
   const sewing::Assembly dress = placed(circle_dress());
