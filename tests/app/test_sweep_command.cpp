@@ -1,10 +1,15 @@
 // `toile sweep` as a user runs it, here and on a server.
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "core/image/read_picture.h"
 #include "core/json/tree.h"
@@ -102,6 +107,40 @@ TEST_F(SweepCommand, OnAServerIsTheSame) {
       run_toile({"sweep", "--sweep", id, "--server", server.url(), "--out", folder / "afar"}, 60);
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_TRUE(fs::exists(folder / "afar/low.obj_silk-habotai/final.glb")) << "what is missing is fetched";
+}
+
+TEST_F(SweepCommand, GoesOnOverAServerThatIsKilled) {
+  const std::vector<std::string> options{"--sample", folder / "empty",     "--workers",
+                                         "1",        "--checkpoint-every", "0.2"};
+  auto server = std::make_unique<Serving>(folder / "data", options);
+  ASSERT_TRUE(server->up()) << server->said();
+  const int port = server->port();
+  const std::vector<std::string> words{"--fabric", "own", "silk-habotai", "denim-10oz"};
+  Ran there;
+  std::thread client([&] {
+    std::vector<std::string> afar = words;
+    afar.insert(afar.end(), {"--server", "http://127.0.0.1:" + std::to_string(port), "--patience", "240"});
+    there = sweep(afar, "afar");
+  });
+  const auto is_amidst = [&] {
+    const std::string jobs = server->get("/api/v1/jobs").body;
+    return jobs.find("\"succeeded\"") != std::string::npos && jobs.find("\"running\"") != std::string::npos;
+  };
+  for (int waited = 0; waited < 4000 && !is_amidst(); ++waited)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_TRUE(is_amidst());
+  EXPECT_EQ(server->end(SIGKILL), -SIGKILL);
+  server = std::make_unique<Serving>(folder / "data", options, port);
+  client.join();
+  ASSERT_TRUE(server->up()) << server->said();
+  ASSERT_EQ(there.code, 0) << there.err << there.out;
+  const auto swept = json::parse_json(server->get("/api/v1/sweeps").body, {.depth = 64});
+  ASSERT_EQ(swept->find("sweeps")->array()->size(), 1u) << "asked for once";
+  EXPECT_EQ(*swept->find("sweeps")->array()->front().find("counts")->find("succeeded")->number(), 3);
+  ASSERT_EQ(sweep(words, "here").code, 0);
+  for (const char* cell : {"post.obj_cotton", "post.obj_silk-habotai", "post.obj_denim-10oz"})
+    EXPECT_EQ(hash_in(folder / "afar" / cell / "report.json"),
+              hash_in(folder / "here" / cell / "report.json"));
 }
 
 TEST_F(SweepCommand, SaysWhatIsWrongBeforeItDrapes) {
