@@ -1,6 +1,8 @@
 #include "server/jobs/sweeps.h"
 
+#include <algorithm>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "core/base/check.h"
@@ -16,10 +18,25 @@ store::Sweeps& sweeps_in(store::Store& store) {
   return *sweeps;
 }
 
+/// How much of a drape's time its phases usually take, in their order.
+constexpr std::pair<std::string_view, double> kShares[] = {{"mesh", 0.04},  {"place", 0.01}, {"dress", 0.05},
+                                                           {"sew", 0.25},   {"drape", 0.58}, {"move", 0},
+                                                           {"check", 0.02}, {"stills", 0.05}};
+
+/// Of the whole drape, from how much of a phase is done.
+double overall(const JobProgress& now) {
+  double before = 0;
+  for (const auto& [phase, share] : kShares) {
+    if (phase == now.phase) return before + share * std::clamp(now.fraction, 0.0, 1.0);
+    before += share;
+  }
+  return 0;
+}
+
 double fraction_of(JobService& service, const store::RequestContext& context, const store::JobRow& job) {
   if (store::is_final(job.state)) return 1;
   const Result<JobProgress> now = service.progress(context, job.id);
-  return now ? now->fraction : 0;
+  return now ? overall(*now) : 0;
 }
 
 sweep::Cell cell_of(JobService& service, const store::RequestContext& context, const store::JobRow& job,

@@ -132,7 +132,7 @@ function Cell({ cell, title, resultUrl }: { cell: SweepCell; title: string } & P
           </span>
         )}
       </span>
-      <b class={`sweep-word ${verdict}`}>{word}</b>
+      <b class={`sweep-word is-${verdict}`}>{word}</b>
       {cell.figures ? <Figures figures={cell.figures} /> : <small>{cell.reason || (active ? percent(cell.fraction, 0) : '')}</small>}
     </>
   );
