@@ -93,7 +93,7 @@ function Dialogs({ offline }: { offline: boolean }) {
   return (
     <>
       {projectId.value && (
-        <button class="plain" disabled={offline} onClick={() => (sweeps.choosing.value = true)} title={t.sweep.openTip}>
+        <button class="plain sweep-open" disabled={offline} onClick={() => (sweeps.choosing.value = true)} title={t.sweep.openTip}>
           <Icon name="grid" /> <span class="label">{t.sweep.open}</span>
         </button>
       )}
