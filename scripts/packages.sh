@@ -7,7 +7,7 @@ build_packages=(
   libgtest-dev librapidcheck-dev libbenchmark-dev
 )
 run_packages=(ffmpeg)  # a program of its own, for movies; all else works without it
-test_packages=(clang-format clang-tidy python3-yaml python3-jsonschema chromium)
+test_packages=(clang-format clang-tidy python3-yaml python3-jsonschema chromium curl jq)
 fuzz_packages=(clang-14 libclang-rt-14-dev)  # for ./test --long alone
 
 ensure_packages() {

@@ -24,20 +24,6 @@ tr.stretched td { background: #fdf3d9; } li.warning { color: #8a5a00; } li.error
 footer { margin-top: 2rem; color: #777; font-size: .8rem; overflow-wrap: anywhere; }
 )";
 
-/// RFC 4648.
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63U] : '=';
-  }
-  return out;
-}
-
 std::string text_of(const JsonValue& in, std::string_view key) {
   const JsonValue* value = in.find(key);
   return value != nullptr && value->text() != nullptr ? *value->text() : "";

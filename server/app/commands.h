@@ -5,10 +5,12 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/body/measure/measures.h"
 #include "server/app/config.h"
 #include "server/app/exit_code.h"
+#include "server/app/remote.h"
 
 namespace toile::app {
 
@@ -20,6 +22,7 @@ struct DrapeOptions {
   std::string trace;    ///< path; empty: no trace
   int trace_every = 1;  ///< frames
   bool json = false;
+  bool quiet = false;  ///< prints nothing but errors
   bool stills = true;
   int width = 1024, height = 1280;  ///< of the stills, pixels
 };
@@ -113,15 +116,27 @@ ExitCode worker_command(const WorkerOptions& options);
 
 struct SubmitOptions {
   std::string project;  ///< path of the document
-  std::string server = "http://127.0.0.1:8460";
-  bool watch = false;      ///< follow the drape to its end
-  std::string out;         ///< folder for the results; empty: they stay on the server
-  std::string roots;       ///< PEM file of who vouches for the server; empty: who does on this machine
-  std::string token_file;  ///< path; empty: the environment's TOILE_TOKEN, if there is one
+  std::string job;      ///< id of one that was submitted before, in place of a project
+  RemoteOptions remote;
+  bool watch = false;  ///< follow the drape to its end
+  std::string out;     ///< folder for the results; empty: they stay on the server
   bool json = false;
 };
 
 ExitCode submit_command(const SubmitOptions& options);
+
+struct SweepOptions {
+  std::string project;                                     ///< path of the document
+  std::vector<std::string> bodies{"own"}, fabrics{"own"};  ///< as people say them (sweep_bodies.h)
+  std::string out;                                         ///< folder
+  std::string server_said;  ///< address of a server; empty: this machine drapes
+  RemoteOptions remote;     ///< but for the address
+  std::string sweep;        ///< id of one that a server has, in place of a project
+  bool json = false;
+};
+
+/// Drapes a garment on several bodies and of several fabrics; leaves a folder for each, a table and a sheet.
+ExitCode sweep_command(const SweepOptions& options);
 
 struct PatternImportOptions {
   std::string file;  ///< path of a DXF file

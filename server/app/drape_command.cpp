@@ -135,7 +135,7 @@ Status deliver(const drape::DrapeInput& input, const drape::DrapeResult& result,
   TRY(write_page(report, options));
   if (options.json) {
     std::printf("%s", exports::report_json(report).c_str());
-  } else {
+  } else if (!options.quiet) {
     print_summary(report, options);
   }
   return {};

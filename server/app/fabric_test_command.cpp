@@ -114,7 +114,8 @@ Status write_sheet(const FabricTestOptions& options, const fabric::FabricCard& c
   std::filesystem::create_directories(folder, failed);  // write_file says what is wrong with it
   const std::filesystem::path drawing = folder / (card.name + ".svg");
   TRY(write_file(drawing, trials::figure_sheet(card, trial)));
-  const Status drawn = movie::draw_svg(drawing, folder / (card.name + ".png"));
+  constexpr int kWidth = 2000;  // pixels: twice the sheet's
+  const Status drawn = movie::draw_svg(drawing, folder / (card.name + ".png"), kWidth);
   if (!drawn) std::fprintf(stderr, "toile: no PNG: %s\n", to_string(drawn.error()).c_str());
   return {};
 }

@@ -13,6 +13,7 @@
 #include "core/base/write_file.h"
 #include "core/json/tree.h"
 #include "core/project/create/create.h"
+#include "server/app/bring_file.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/mesh_reader.h"
@@ -35,17 +36,6 @@ Result<std::string> bytes_of(const fs::path& path) {
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in) return Error{"pattern.file", "this is no file that can be read", path.string()};
   return bytes;
-}
-
-/// A document names files in its own folder: the file comes to lie there.
-Status bring(const fs::path& file, const fs::path& folder) {
-  std::error_code failure;
-  const fs::path there = folder / file.filename();
-  if (fs::equivalent(file, there, failure)) return {};
-  fs::copy_file(file, there, fs::copy_options::overwrite_existing, failure);
-  if (!failure) return {};
-  return Error{"export.write", "the file cannot be copied here: " + failure.message(), there.string(),
-               ErrorKind::kInternal};
 }
 
 std::string side_text(const std::vector<project::ProjectSeamEdge>& side) {
@@ -109,9 +99,9 @@ Status keep(const create::NewProject& made, const ProjectNewOptions& options) {
   const bool names_pattern = std::any_of(made.project.pieces.begin(), made.project.pieces.end(),
                                          [](const project::ProjectPiece& p) { return p.from.has_value(); });
   if (names_pattern) {
-    TRY(bring(options.pattern, folder));
+    TRY(bring_file(options.pattern, folder));
   }
-  TRY(bring(options.body, folder));
+  TRY(bring_file(options.body, folder));
   return write_file(options.out, project::write_project(made.project));
 }
 

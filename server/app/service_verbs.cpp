@@ -93,26 +93,83 @@ CLI::App* add_serve(CLI::App& app, ServeOptions& serve) {
   return verb;
 }
 
+/// How a server is asked, beside its address.
+void add_remote(CLI::App& verb, RemoteOptions& remote) {
+  verb.add_option("--roots", remote.roots,
+                  "PEM file of who may vouch for an https server (default: as this machine has it)");
+  verb.add_option("--token-file", remote.token_file,
+                  "File with the token to be known by (default: what TOILE_TOKEN says)");
+  verb.add_option("--patience", remote.patience_s,
+                  "Seconds for which a server that has answered before is waited for")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->capture_default_str();
+}
+
 CLI::App* add_submit(CLI::App& app, SubmitOptions& submit) {
   CLI::App* verb = app.add_subcommand("submit", "Have a project draped by a server");
-  verb->add_option("project", submit.project, "Project document; the files that it names lie beside it")
-      ->required();
-  verb->add_option("--server", submit.server, "Address of the server")->capture_default_str();
+  CLI::Option* project =
+      verb->add_option("project", submit.project, "Project document; the files that it names lie beside it");
+  CLI::Option* job =
+      verb->add_option("--job", submit.job, "Id of a drape that was submitted before, in place of a project");
+  job->excludes(project);
+  verb->add_option("--server", submit.remote.server, "Address of the server")->capture_default_str();
   CLI::Option* watch =
       verb->add_flag("--watch", submit.watch, "Follow the drape to its end; Ctrl-C cancels it");
   verb->add_option("-o,--out", submit.out, "Folder for the results, as toile drape leaves them")
       ->needs(watch);
-  verb->add_option("--roots", submit.roots,
-                   "PEM file of who may vouch for an https server (default: as this machine has it)");
-  verb->add_option("--token-file", submit.token_file,
-                   "File with the token to be known by (default: what TOILE_TOKEN says)");
+  add_remote(*verb, submit.remote);
+  verb->callback([project, job] {
+    if (!project->count() && !job->count()) throw CLI::RequiredError("project");
+  });
   verb->add_flag("--json", submit.json, "Print the report (without --watch the job) as JSON, errors as well");
   verb->footer(
       std::string(
-          "Without --watch the job's id is printed and the server goes on by itself, when it has time.\n\n"
+          "Files that the server has are not sent again. Without --watch the job's id is printed and the\n"
+          "server goes on by itself, when it has time. A line that breaks is waited for; --job takes a\n"
+          "drape up again, and what of its results is here already is not fetched again.\n\n"
           "Examples:\n"
           "  toile submit samples/skirt/project.json --watch --out out/skirt\n"
-          "  toile submit project.json --server http://127.0.0.1:9000\n\n") +
+          "  toile submit project.json --server http://127.0.0.1:9000\n"
+          "  toile submit --job j_1qedqq1nd5hfbjxpm78j --watch --out out/skirt\n\n") +
+      kExitCodes);
+  return verb;
+}
+
+CLI::App* add_sweep(CLI::App& app, SweepOptions& sweep) {
+  CLI::App* verb = app.add_subcommand("sweep", "Drape a project on several bodies and of several fabrics");
+  CLI::Option* project =
+      verb->add_option("project", sweep.project, "Project document; the files that it names lie beside it");
+  verb->add_option(
+      "--body", sweep.bodies,
+      "A row: a preset with measures over it (eu40,waist=80), measures (bust=92,waist=74), a mesh\n"
+      "file, or own, the project's (default)");
+  verb->add_option(
+      "--fabric", sweep.fabrics,
+      "A column: a fabric of the library or of the document for what most pieces are cut of, or\n"
+      "own, as the project has it (default)");
+  verb->add_option("-o,--out", sweep.out, "Folder for the table, the sheet and a folder of each drape")
+      ->required();
+  CLI::Option* server = verb->add_option("--server", sweep.server_said,
+                                         "Address of a server that drapes them (default: this machine does)");
+  CLI::Option* id =
+      verb->add_option("--sweep", sweep.sweep, "Id of a sweep that the server has, in place of a project");
+  id->needs(server)->excludes(project);
+  add_remote(*verb, sweep.remote);
+  verb->callback([project, id] {
+    if (!project->count() && !id->count()) throw CLI::RequiredError("project");
+  });
+  verb->add_flag("--json", sweep.json, "Print the table as JSON, errors as well");
+  verb->footer(
+      std::string(
+          "Leaves table.csv, table.json, sheet.png (small stills in rows of bodies and columns of fabrics)\n"
+          "and BODY_FABRIC/ with each drape's project and results, as toile drape leaves them. Here they "
+          "are\n"
+          "draped one after the other; Ctrl-C ends them all. The exit code is that of the worst.\n\n"
+          "Examples:\n"
+          "  toile sweep samples/skirt/project.json --body eu36 --body eu40 --fabric poplin --fabric twill "
+          "-o out/sweep\n"
+          "  toile sweep project.json --body own eu40,waist=82 --fabric own single-jersey -o out/sweep "
+          "--server http://127.0.0.1:8460\n\n") +
       kExitCodes);
   return verb;
 }
@@ -139,12 +196,14 @@ CLI::App* add_worker(CLI::App& app, WorkerOptions& worker) {
 ServiceVerbs::ServiceVerbs(CLI::App& app)
     : serve_verb_(add_serve(app, serve_)),
       worker_verb_(add_worker(app, worker_)),
-      submit_verb_(add_submit(app, submit_)) {}
+      submit_verb_(add_submit(app, submit_)),
+      sweep_verb_(add_sweep(app, sweep_)) {}
 
 std::optional<ExitCode> ServiceVerbs::run() const {
   if (serve_verb_->parsed()) return serve_command(serve_);
   if (worker_verb_->parsed()) return worker_command(worker_);
   if (submit_verb_->parsed()) return submit_command(submit_);
+  if (sweep_verb_->parsed()) return sweep_command(sweep_);
   return std::nullopt;
 }
 

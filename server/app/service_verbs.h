@@ -20,7 +20,8 @@ class ServiceVerbs {
   ServeOptions serve_;
   WorkerOptions worker_;
   SubmitOptions submit_;
-  const CLI::App *serve_verb_, *worker_verb_, *submit_verb_;
+  SweepOptions sweep_;
+  const CLI::App *serve_verb_, *worker_verb_, *submit_verb_, *sweep_verb_;
 };
 
 }  // namespace toile::app

@@ -27,9 +27,10 @@ std::string path_of(const CLI::App& verb) {
 std::string what_is_wrong(const CLI::App& verb, const CLI::ParseError& e) {
   const std::vector<std::string> rest = verb.remaining();
   const auto below = verb.get_subcommands([](const CLI::App*) { return true; });
-  if (rest.empty() || below.empty() || rest.front().starts_with('-')) return e.what();
+  if (below.empty() || (!rest.empty() && rest.front().starts_with('-'))) return e.what();
   std::string names;
   for (const CLI::App* one : below) names += (names.empty() ? "" : ", ") + one->get_name();
+  if (rest.empty()) return "say what \"" + path_of(verb) + "\" is to do: " + names;
   return "there is no \"" + path_of(verb) + " " + rest.front() + "\"; there are " + names;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "core/body/measure/stance.h"
 #include "core/json/tree.h"
 #include "core/project/bodies.h"
+#include "core/sweep/variants.h"
 #include "server/documents/edits.h"
 
 namespace toile::documents {
@@ -108,20 +110,12 @@ Result<project::ProjectBody> body_of(Documents& documents, const store::RequestC
   return body;
 }
 
-/// What of the body before stays: how cloth lies on it, where a figure stands, and the landmarks that mean
-/// the same on the other.
+/// What the body before leaves to it, but for what the wish says of how cloth lies on it.
 void carry_over(const project::ProjectBody& was, const json::JsonValue& wish, project::ProjectBody& body) {
-  if (!wish.find("friction")) body.friction = was.friction;
-  if (!wish.find("skin_offset_mm")) body.skin_offset_mm = was.skin_offset_mm;
-  body.restitution = was.restitution;
-  if (was.mannequin && body.mannequin) {
-    body.translation = was.translation;
-    body.rotation = was.rotation;
-    body.scale = was.scale;
-  }
-  body.landmarks = was.landmarks;
-  if (was.file == body.file) return;
-  std::erase_if(body.landmarks, [](const project::ProjectLandmark& l) { return l.triangle.has_value(); });
+  const double friction = body.friction, skin_offset_mm = body.skin_offset_mm;
+  sweep::take_the_place_of(was, body);
+  if (wish.find("friction")) body.friction = friction;
+  if (wish.find("skin_offset_mm")) body.skin_offset_mm = skin_offset_mm;
 }
 
 Status check_keys(const json::JsonValue& wish) {
@@ -162,6 +156,17 @@ Result<store::ProjectRow> dress_project(Documents& documents, const store::Reque
     return wanted;
   };
   return change_project(documents, context, id, expected, change);
+}
+
+Result<DressedBody> body_of_wish(Documents& documents, const store::RequestContext& context,
+                                 const std::string& body, const json::JsonValue& wish,
+                                 const ProjectFileMap& files) {
+  TRY(check_keys(wish));
+  const auto growing = std::make_shared<ProjectFileMap>(files);
+  resolve::OpenedFiles opened(growing_files_in_store(documents, context, growing));
+  project::ProjectBody made = TRY(body_of(documents, context, body, wish, *growing, opened));
+  TRY(check_more_files(documents, context, files, *growing));
+  return DressedBody{std::move(made), *growing};
 }
 
 Result<store::ProjectRow> undress_project(Documents& documents, const store::RequestContext& context,

@@ -7,6 +7,7 @@
 #include "core/json/tree.h"
 #include "core/project/project.h"
 #include "server/documents/documents.h"
+#include "server/documents/projects.h"
 
 namespace toile::documents {
 
@@ -18,6 +19,17 @@ namespace toile::documents {
 Result<store::ProjectRow> dress_project(Documents& documents, const store::RequestContext& context,
                                         const std::string& id, const std::string& body,
                                         const json::JsonValue& wish, int expected);
+
+/// A body that was asked for, and the project's files with its own.
+struct DressedBody {
+  project::ProjectBody body;
+  ProjectFileMap files;
+};
+/// What dress_project would put into a project that has those files, under the id `body`. Nothing is changed.
+/// Errors: as there.
+Result<DressedBody> body_of_wish(Documents& documents, const store::RequestContext& context,
+                                 const std::string& body, const json::JsonValue& wish,
+                                 const ProjectFileMap& files);
 
 /// Takes a body out of the project. Errors: edit.unknown_body, store.*, and those of what is told by it.
 Result<store::ProjectRow> undress_project(Documents& documents, const store::RequestContext& context,

@@ -192,6 +192,10 @@ Result<HttpReply> HttpClient::ask(const Request& request, std::chrono::seconds w
   }
   if (failure == beast::error::timeout)
     return Error{"client.timeout", "the server does not answer", place, ErrorKind::kSystem};
+  if (failure == http::error::partial_message || failure == http::error::end_of_stream) {
+    return Error{"client.cut_off", "the line broke off before the whole answer was there", place,
+                 ErrorKind::kUnavailable};
+  }
   if (failure.category() == http::make_error_code(http::error::bad_version).category()) {
     return Error{"client.malformed", "what answers there is no Toile server: " + failure.message(), place,
                  ErrorKind::kSystem};

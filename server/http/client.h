@@ -38,8 +38,8 @@ class HttpClient {
     std::uint64_t most_reply_bytes = std::uint64_t{1} << 30;  ///< of the answer's body
   };
   /// Connects where need be; asks once more when a connection that was kept turns out to be closed and asking
-  /// twice does no harm (GET, or with an Idempotency-Key). Errors: client.unreachable, client.timeout,
-  /// client.tls, client.malformed, client.failed (no memory for the answer).
+  /// twice does no harm (GET, or with an Idempotency-Key). Errors: client.unreachable, client.cut_off,
+  /// client.timeout, client.tls, client.malformed, client.failed (no memory for the answer).
   Result<HttpReply> ask(const Request& request, std::chrono::seconds within = std::chrono::seconds(120));
 
   /// Whether what is said can be read on the way: neither TLS nor the loopback.

@@ -40,6 +40,7 @@ std::optional<std::int64_t> feed_after(const HttpResponse& response) {
 
 std::string event_json(const store::EventRow& event) {
   return json::write_json_line(std::vector<json::JsonMember>{{"job", event.job},
+                                                             {"sweep", event.sweep},
                                                              {"project_id", event.project_id},
                                                              {"name", event.name},
                                                              {"state", event.state},
@@ -52,7 +53,8 @@ std::string event_text(const std::vector<store::EventRow>& events, std::int64_t 
   for (const store::EventRow& event : events) {
     if (event.number != after + 1) text += gap_before(event.number - 1);
     after = event.number;
-    text += "id: " + std::to_string(event.number) + "\nevent: job\ndata: " + event_json(event) + "\n\n";
+    text += "id: " + std::to_string(event.number) + "\nevent: " + (event.job.empty() ? "sweep" : "job") +
+            "\ndata: " + event_json(event) + "\n\n";
   }
   return text;
 }

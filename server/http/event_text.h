@@ -20,7 +20,7 @@ HttpResponse event_stream(std::int64_t after, bool gap);
 /// After which event a feed goes on that such an answer begins; nothing for any other answer.
 std::optional<std::int64_t> feed_after(const HttpResponse& response);
 
-/// {"job", "project_id", "name", "state", "reason_code", "at_ms"} on one line.
+/// {"job", "sweep", "project_id", "name", "state", "reason_code", "at_ms"} on one line.
 std::string event_json(const store::EventRow& event);
 /// The events that follow number `after`, and before them that some are missing where they are.
 std::string event_text(const std::vector<store::EventRow>& events, std::int64_t after);

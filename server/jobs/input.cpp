@@ -57,10 +57,8 @@ Result<image::Textures> textures_of(documents::Documents& documents, const store
   return resolve::read_textures(project, pattern, documents::files_in_store(documents, context, files));
 }
 
-Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
-                                   const std::string& project_id, const JobLimits& limits,
-                                   const std::string& from) {
-  const store::ProjectRow project = TRY(documents.store().project(context, project_id));
+Result<store::JobRow> row_of_project(documents::Documents& documents, const store::RequestContext& context,
+                                     const store::ProjectRow& project, const JobLimits& limits) {
   // Without the bodies, which may take long: they were read when the project was kept.
   const auto read = TRY(documents::read_cloth(documents, context, project.document, project.files));
   TRY(check_size(limits, read->cloth));
@@ -76,6 +74,14 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
   row.name = project.name;
   row.document = project.document;
   row.files = project.files;
+  return row;
+}
+
+Result<store::JobRow> row_of_drape(documents::Documents& documents, const store::RequestContext& context,
+                                   const std::string& project_id, const JobLimits& limits,
+                                   const std::string& from) {
+  const store::ProjectRow project = TRY(documents.store().project(context, project_id));
+  store::JobRow row = TRY(row_of_project(documents, context, project, limits));
   if (!from.empty()) row.files[kShapeFile] = TRY(kept_shape(documents, context, from));
   return row;
 }

@@ -37,6 +37,10 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
                                    const std::string& project_id, const JobLimits& limits = {},
                                    const std::string& from = "");
 
+/// The same of a project that need not be kept: in other fabrics, on another body.
+Result<store::JobRow> row_of_project(documents::Documents& documents, const store::RequestContext& context,
+                                     const store::ProjectRow& project, const JobLimits& limits);
+
 /// The manifest's account of the job's document and files. Errors: project.*, store.*.
 Result<manifest::Manifest> inputs_of(documents::Documents& documents, const store::RequestContext& context,
                                      const store::JobRow& job);

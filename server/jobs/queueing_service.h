@@ -40,6 +40,9 @@ class QueueingJobService final : public JobService {
                                             const JobWish& wish) override;
   Result<store::Made<store::JobRow>> retry(const store::RequestContext& context, const std::string& id,
                                            const std::string& idempotency_key) override;
+  Result<store::Made<store::SweptJobs>> submit_sweep(const store::RequestContext& context,
+                                                     const SweepWish& wish,
+                                                     const std::string& idempotency_key) override;
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override;
@@ -54,9 +57,11 @@ class QueueingJobService final : public JobService {
                                    JobEvent event, const RowEdit& edit);
   Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
-  Status check_queue() const;
+  Status check_queue(int more) const;
   Result<store::Made<store::JobRow>> queue(const store::RequestContext& context, store::JobRow row,
                                            const std::string& idempotency_key, bool anew);
+  store::JobRow begin(const Changing& changing, const store::RequestContext& context,
+                      const store::JobRow& made, bool anew);
   std::optional<store::JobRow> answered(const Changing& changing, const store::RequestContext& context,
                                         const store::JobRow& job);
 

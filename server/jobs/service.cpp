@@ -5,6 +5,7 @@
 #include "server/jobs/input.h"
 #include "server/jobs/queueing_service.h"
 #include "server/jobs/row_progress.h"
+#include "server/store/job_search.h"
 
 namespace toile::jobs {
 
@@ -62,9 +63,10 @@ Result<store::JobRow> QueueingJobService::cancel(const store::RequestContext& co
   return on_request(context, id, JobEvent::kCancel, cancelled());
 }
 
-Status QueueingJobService::check_queue() const {
+/// Whether so many more may wait.
+Status QueueingJobService::check_queue(int more) const {
   const Counts now = table_.counts();
-  if (now.queued + now.paused < settings_.max_queued) return {};  // what is paused comes back
+  if (now.queued + now.paused + more <= settings_.max_queued) return {};  // what is paused comes back
   return Error{"jobs.queue_full", "the queue is full; try again when some drapes have ended", "",
                ErrorKind::kTooMany};
 }
@@ -77,9 +79,10 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
   if (before && before->project_id == project_id) {
     return store::Made<store::JobRow>{without_document(std::move(*before)), false};
   }
-  TRY(check_queue());
+  TRY(check_queue(1));
   store::JobRow row = TRY(row_of_drape(documents_, context, project_id, settings_.limits, wish.from));
   row.priority = wish.priority;
+  row.tags = wish.tags;
   return queue(context, std::move(row), idempotency_key, wish.anew);
 }
 
@@ -100,6 +103,8 @@ Result<store::Made<store::JobRow>> QueueingJobService::retry(const store::Reques
   row.document = before.document;
   row.files = before.files;
   row.priority = before.priority;
+  row.cell = before.cell;
+  row.tags = TRY(store::tags_of_job(store_, context, id));
   return queue(context, std::move(row), idempotency_key, true);
 }
 
@@ -109,16 +114,51 @@ Result<store::Made<store::JobRow>> QueueingJobService::queue(const store::Reques
                                                              const std::string& idempotency_key, bool anew) {
   row.input = input_of(row, settings_.engine, settings_.still_width, settings_.still_height);
   const Changing changing = table_.changing();
-  TRY(check_queue());  // others came while the document was read
+  TRY(check_queue(1));  // others came while the document was read
   const store::Made<store::JobRow> made = TRY(store_.create_job(context, std::move(row), idempotency_key));
-  if (made.anew) {
-    std::optional<store::JobRow> ended = anew ? std::nullopt : answered(changing, context, made);
-    if (ended) return store::Made<store::JobRow>{std::move(*ended), true};
-    const LiveJobPtr job = table_.insert(changing, context, made);
-    if (job) table_.announce(changing, *job);
-    context.log.info("job queued", {{"job", made.id}, {"project", made.project_id}});
+  if (!made.anew) return store::Made<store::JobRow>{without_document(made), false};
+  return store::Made<store::JobRow>{begin(changing, context, made, anew), true};
+}
+
+/// What the store has just taken on. As it stands then: it may have ended already.
+store::JobRow QueueingJobService::begin(const Changing& changing, const store::RequestContext& context,
+                                        const store::JobRow& made, bool anew) {
+  std::optional<store::JobRow> ended = anew ? std::nullopt : answered(changing, context, made);
+  if (ended) return std::move(*ended);
+  const LiveJobPtr job = table_.insert(changing, context, made);
+  if (job) table_.announce(changing, *job);
+  context.log.info("job queued", {{"job", made.id}, {"project", made.project_id}});
+  return without_document(made);
+}
+
+/// Each cell is taken up by itself, so that others get in between: an answer reads all results of a drape.
+Result<store::Made<store::SweptJobs>> QueueingJobService::submit_sweep(const store::RequestContext& context,
+                                                                       const SweepWish& wish,
+                                                                       const std::string& idempotency_key) {
+  store::Sweeps* const sweeps = store::sweeps_of(store_);
+  if (!sweeps)
+    return Error{"jobs.no_sweeps", "this server's store keeps no sweeps", "", ErrorKind::kUnavailable};
+  store::SweptJobs before = TRY(sweeps->sweep_of_key(context, idempotency_key));
+  if (!before.sweep.id.empty() && before.sweep.project_id == wish.project_id)
+    return store::Made<store::SweptJobs>{std::move(before), false};
+  TRY(check_queue(1));
+  store::SweptJobs wanted = TRY(swept_jobs(documents_, context, wish, settings_.limits));
+  for (store::JobRow& job : wanted.jobs)
+    job.input = input_of(job, settings_.engine, settings_.still_width, settings_.still_height);
+  store::Made<store::SweptJobs> made;
+  {
+    const Changing changing = table_.changing();
+    TRY(check_queue(static_cast<int>(wanted.jobs.size())));
+    made = TRY(sweeps->create_sweep(context, std::move(wanted), idempotency_key));
   }
-  return store::Made<store::JobRow>{without_document(made), made.anew};
+  if (!made.anew) return made;
+  context.log.info("sweep queued", {{"sweep", made.sweep.id}, {"jobs", std::to_string(made.jobs.size())}});
+  for (store::JobRow& job : made.jobs) {
+    const Changing changing = table_.changing();
+    const bool met = table_.find(context, job.id) != nullptr;  // by look_round(), since it was made
+    job = met ? without_document(std::move(job)) : begin(changing, context, job, wish.manner.anew);
+  }
+  return made;
 }
 
 /// The job as it has ended already, when an equal one has. Where anything is amiss with that one it is draped

@@ -12,6 +12,8 @@
 #include "server/jobs/figures.h"
 #include "server/jobs/limits.h"
 #include "server/jobs/publisher.h"
+#include "server/jobs/sweeps.h"
+#include "server/jobs/wish.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
@@ -32,16 +34,6 @@ struct JobServiceSettings {
   /// What tells this engine from any other: a drape of an input that it has draped is answered with the
   /// results of then. Empty: each is draped.
   std::string engine;
-};
-
-/// How a drape is to be had.
-struct JobWish {
-  store::JobPriority priority =
-      store::JobPriority::kBatch;  ///< of who does not say: whoever looks on says so
-  bool anew = false;    ///< draped although the results of an equal one would do: somebody wants to look on
-  std::string from;     ///< id of a job from whose end to go on (core/warm); empty: from the pieces
-  JobWish() = default;  // NOLINTNEXTLINE(google-explicit-constructor): most say no more than that
-  JobWish(store::JobPriority given) : priority(given) {}
 };
 
 /// Workers drape in slices. Between two a drape makes room for an interactive one, and for one of an owner
@@ -74,12 +66,19 @@ class JobService {
                                                     const std::string& project_id,
                                                     const std::string& idempotency_key,
                                                     const JobWish& wish = {}) = 0;
-  /// Queues a drape of what a job that has ended draped, its document and files as they were then. Under a
-  /// key as submit(). Errors: store.not_found, jobs.state, store.idempotency_mismatch, store.idempotency_key,
-  /// jobs.queue_full, quota.bytes, quota.jobs.
+  /// Queues a drape of what a job that has ended draped, its document and files as they were then, with its
+  /// tags; that of a sweep's cell takes its place there. Under a key as submit(). Errors: store.not_found,
+  /// jobs.state, store.idempotency_mismatch, store.idempotency_key, jobs.queue_full, quota.bytes, quota.jobs.
   virtual Result<store::Made<store::JobRow>> retry(const store::RequestContext& context,
                                                    const std::string& id,
                                                    const std::string& idempotency_key) = 0;
+  /// Queues a drape for each cell of a sweep (swept_jobs()), all of them or none; those of an equal input are
+  /// answered as submit() does. Under a key that made a sweep of this project before, gives back that one.
+  /// Errors: those of swept_jobs(), store.idempotency_mismatch, store.idempotency_key, jobs.queue_full,
+  /// quota.bytes, quota.jobs; jobs.no_sweeps when the store keeps none.
+  virtual Result<store::Made<store::SweptJobs>> submit_sweep(const store::RequestContext& context,
+                                                             const SweepWish& wish,
+                                                             const std::string& idempotency_key) = 0;
   /// The state has changed when these return, durably; a worker that drapes lets go within 50 ms. A paused
   /// drape stays in memory, and resuming puts it at the head of the queue. Errors: store.not_found;
   /// jobs.state when the job's state does not allow it; jobs.stopped while the service does not run;

@@ -6,8 +6,7 @@
 
 namespace toile::movie {
 
-Status draw_svg(const std::filesystem::path& svg, const std::filesystem::path& png) {
-  constexpr int kWidth = 2000;  // pixels: twice a sheet's
+Status draw_svg(const std::filesystem::path& svg, const std::filesystem::path& png, int width) {
   const std::string program = TRY(ffmpeg_program());
   const auto file = [](const std::filesystem::path& path) {
     return "file:" + std::filesystem::absolute(path).string();
@@ -25,7 +24,7 @@ Status draw_svg(const std::filesystem::path& svg, const std::filesystem::path& p
                               "-f",
                               "svg_pipe",
                               "-width",
-                              std::to_string(kWidth),
+                              std::to_string(width),
                               "-i",
                               file(svg),
                               "-map_metadata",

@@ -7,8 +7,8 @@
 
 namespace toile::movie {
 
-/// Draws the SVG file at twice its size on white into a PNG file. Errors: movie.no_ffmpeg when ffmpeg is not
-/// installed, movie.failed.
-Status draw_svg(const std::filesystem::path& svg, const std::filesystem::path& png);
+/// Draws the SVG file, `width` pixels wide, on white into a PNG file. Errors: movie.no_ffmpeg when ffmpeg is
+/// not installed, movie.failed.
+Status draw_svg(const std::filesystem::path& svg, const std::filesystem::path& png, int width);
 
 }  // namespace toile::movie

@@ -18,6 +18,7 @@ struct EventRow {
   std::string job, project_id, name;
   std::string state;        ///< a JobState's word, or kRemoved
   std::string reason_code;  ///< of a final state
+  std::string sweep;  ///< the job's; without a job the event is the sweep's own: its end, or that it is gone
 };
 
 inline constexpr const char* kRemoved = "removed";

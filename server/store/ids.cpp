@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/base/hash.h"
+
 namespace toile::store {
 namespace {
 
@@ -28,6 +30,12 @@ void append(std::string& id, std::uint64_t number, std::size_t digits) {
 }
 
 }  // namespace
+
+std::string asset_id(std::string_view kind, std::string_view name, std::string_view bytes) {
+  std::string all(kind);  // no kind, no name has a slash
+  all.append("/").append(name).append("/").append(hash_of(bytes));
+  return "a_" + hash_of(std::string_view(all));
+}
 
 bool is_id(std::string_view text, char letter) {
   return text.size() == kPrefixSize + kTimeDigits + kChanceDigits && text[0] == letter && text[1] == '_' &&

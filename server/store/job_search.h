@@ -16,11 +16,11 @@ struct JobQuery {
   std::vector<JobState> states;  ///< one of these
   std::string project_id;
   std::string tag;
+  std::string sweep;          ///< id; kAlone: of none
   std::int64_t since_ms = 0;  ///< made then or later, Unix time
   std::int64_t until_ms = 0;  ///< made before
+  static constexpr const char* kAlone = "none";
 };
-
-using Tags = std::vector<std::string>;
 
 /// Calls are thread-safe and durable, as those of Store, with its errors.
 class JobSearch {
@@ -38,5 +38,8 @@ class JobSearch {
 
 /// That of a store that can; null else.
 inline JobSearch* job_search_of(Store& store) { return dynamic_cast<JobSearch*>(&store); }
+
+/// Those of one job; none in a store that keeps none.
+Result<Tags> tags_of_job(Store& store, const RequestContext& context, const std::string& job);
 
 }  // namespace toile::store

@@ -57,6 +57,7 @@ JobRow shown_by(const LinkRow& link, JobRow job) {
   job.files.clear();
   job.input.clear();
   job.lease = {};
+  job.cell = {};
   job.reason_where.clear();
   std::erase_if(job.results, [&](const auto& result) { return !may_take(link.takes, result.first); });
   return job;

@@ -87,6 +87,15 @@ struct JobLease {
   friend bool operator==(const JobLease&, const JobLease&) = default;
 };
 
+/// Where a drape stands among those that were asked for together (sweeps.h).
+struct SweepCell {
+  std::string sweep;         ///< id; empty: it was asked for by itself
+  int body = 0, fabric = 0;  ///< indices of its row and its column
+  friend bool operator==(const SweepCell&, const SweepCell&) = default;
+};
+
+using Tags = std::vector<std::string>;
+
 /// A drape that was asked for. The document and files are copies of the project's at that moment.
 struct JobRow {
   std::string id;  ///< "j_" and 20 characters; rises with time
@@ -96,6 +105,8 @@ struct JobRow {
   std::string document;
   std::map<std::string, std::string> files;
   JobPriority priority = JobPriority::kBatch;
+  SweepCell cell;
+  Tags tags;          ///< to be put on it where it is made; who wants to know them asks JobSearch
   std::string input;  ///< what its results follow from, as a hash; empty: not known
   JobState state = JobState::kQueued;
   std::string reason_code;  ///< of a final state, e.g. "settled", "time", "start.crosses_body"

@@ -31,6 +31,7 @@ Told told(const store::DueDelivery& due, std::int64_t now_ms) {
       json::write_json_line(std::vector<json::JsonMember>{{"delivery", static_cast<double>(due.number)},
                                                           {"event", static_cast<double>(event.number)},
                                                           {"job", event.job},
+                                                          {"sweep", event.sweep},
                                                           {"project_id", event.project_id},
                                                           {"name", event.name},
                                                           {"state", event.state},

@@ -22,11 +22,11 @@ void pause_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(10
 
 }  // namespace
 
-Serving::Serving(const std::filesystem::path& data, const std::vector<std::string>& more) {
+Serving::Serving(const std::filesystem::path& data, const std::vector<std::string>& more, int port) {
   static int number = 0;
   log_ = data.parent_path() / ("serving" + std::to_string(++number) + ".log");
   std::string program = std::string(TOILE_BINARY_DIR) + "/toile";
-  std::vector<std::string> words{"serve", "--port", "0", "--data", data.string()};
+  std::vector<std::string> words{"serve", "--port", std::to_string(port), "--data", data.string()};
   words.insert(words.end(), more.begin(), more.end());
   std::vector<char*> argv{program.data()};
   for (std::string& word : words) argv.push_back(word.data());

@@ -13,8 +13,10 @@ namespace toile {
 
 class Serving {
  public:
-  /// Starts `toile serve` on a free port over `data` and waits until it prints its address.
-  explicit Serving(const std::filesystem::path& data, const std::vector<std::string>& more = {});
+  /// Starts `toile serve` over `data`, on a free port or one that is known to be, and waits until it prints
+  /// its address.
+  explicit Serving(const std::filesystem::path& data, const std::vector<std::string>& more = {},
+                   int port = 0);
   ~Serving();  ///< kills it, if it still runs
   Serving(const Serving&) = delete;
 

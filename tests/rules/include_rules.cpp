@@ -54,6 +54,7 @@ const std::map<std::string, Names>& table() {
       {"create", {"drape", "dxf", "garmentcode", "json", "measure", "pattern", "project", "seams", "sewing"}},
       {"print", {"pattern"}},
       {"manifest", {"drape", "fields", "json", "project"}},
+      {"sweep", {"fabric", "json", "measure", "project"}},
       {"sample", {"create", "draft", "dxf", "pattern", "project"}},
       {"editing",
        {"create", "drape", "edit", "fabric", "fields", "json", "pattern", "project", "resolve", "sewing"}},
@@ -69,17 +70,17 @@ const std::map<std::string, Names>& table() {
       {"documents",
        {"arrange", "create",    "drape",   "dxf",   "editing",     "garmentcode", "geometry",  "image",
         "json",    "mannequin", "measure", "mesh",  "mesh_import", "pattern",     "preflight", "print",
-        "project", "proto",     "resolve", "seams", "sewing",      "store",       "warm"}},
+        "project", "proto",     "resolve", "seams", "sewing",      "store",       "sweep",     "warm"}},
       {"movie", {"body", "drape", "fabric", "geometry", "image", "proto", "render", "sewing"}},
       {"jobs",
        {"analysis", "documents", "drape", "exports", "geometry", "image", "json", "manifest", "mesh", "movie",
-        "pattern", "proto", "render", "resolve", "shares", "store", "warm"}},
+        "pattern", "project", "proto", "render", "resolve", "shares", "store", "sweep", "warm"}},
       {"ws", {"jobs", "json", "proto", "store"}},
       {"http", {"accounts", "jobs", "json", "shares", "store", "ws"}},
       {"webhooks", {"accounts", "http", "json", "store"}},
       {"handlers",
        {"accounts", "documents", "exports", "fabric", "http", "image", "jobs", "json", "print", "store",
-        "ws"}},
+        "sweep", "ws"}},
   };
   return rooms;
 }

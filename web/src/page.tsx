@@ -25,6 +25,8 @@ import { ShareDialog } from './panels/ShareDialog';
 import { Splitter } from './panels/Splitter';
 import { StartPage } from './panels/StartPage';
 import { StatusBar } from './panels/StatusBar';
+import { SweepDialog } from './panels/SweepDialog';
+import { SweepPanel } from './panels/SweepPanel';
 import { TopBar } from './panels/TopBar';
 import { ComparePane } from './scene/ComparePane';
 import { ScenePane } from './scene/ScenePane';
@@ -107,9 +109,19 @@ function Comparison() {
   );
 }
 
+/** One garment on several bodies and of several fabrics. */
+function Sweep() {
+  return (
+    <main class="sweeping">
+      <SweepPanel resultUrl={api.resultUrl} sweeps={api} />
+    </main>
+  );
+}
+
 /** The drape beside what is worked with, or beside the first page. */
 function Main() {
   if (state.route.value.name === 'compare') return <Comparison />;
+  if (state.route.value.name === 'sweep') return <Sweep />;
   const home = state.atHome.value;
   const large = state.editing.large.value ? ' pattern-large' : '';
   const shape = home ? `home${state.job.value ? '' : ' alone'}` : `at-${state.tab.value}${large}`;
@@ -145,6 +157,7 @@ function Page() {
           <IntakeDialog Preview={ImportPreview} />
           <HelpDialog />
           <ShareDialog links={api} />
+          <SweepDialog />
           <LogIn doors={api} entered={anew} />
           <DropTarget />
         </div>
@@ -163,6 +176,7 @@ state.route.value = parseRoute(location.hash);
 listenForKeys(commands, state);
 watcher.start();
 new Comparer(state, api).start();
+commands.sweeps.start();
 new MapKeeper(state).start();
 effect(() => {
   void state.projectId.value;

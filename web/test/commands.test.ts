@@ -289,7 +289,7 @@ describe('who asks', () => {
     await commands.lookWhoAsks();
     expect(state.shut.value).toBe(true);
     const jobs = vi.fn(() => Promise.reject(nobody));
-    const poller = new Poller(new AppState(), { projects: async () => [], jobs }, () => undefined);
+    const poller = new Poller(new AppState(), fakeApi({ projects: async () => [], jobs }), () => undefined);
     await poller.refresh();
     await vi.advanceTimersByTimeAsync(60_000);
     expect(jobs).toHaveBeenCalledOnce();
@@ -305,7 +305,7 @@ describe('the poller', () => {
     const state = new AppState();
     const jobs = async () =>
       answers ? [jobOf({ state: 'succeeded' })] : Promise.reject(new ApiError(0, 'net.unreachable', 'No answer.'));
-    const poller = new Poller(state, { projects: async () => [], jobs }, returned);
+    const poller = new Poller(state, fakeApi({ projects: async () => [], jobs }), returned);
     await poller.refresh();
     expect(state.link.value.state).toBe('ok');
     answers = false;
@@ -326,7 +326,7 @@ describe('the poller', () => {
     const state = new AppState();
     let step = 1;
     const jobs = async () => [jobOf({ id: 'j_1', progress: progressOf({ step }) }), jobOf({ id: 'j_2' })];
-    const poller = new Poller(state, { projects: async () => [projectOf()], jobs }, () => undefined);
+    const poller = new Poller(state, fakeApi({ projects: async () => [projectOf()], jobs }), () => undefined);
     await poller.refresh();
     const before = { projects: state.projects.value, jobs: state.jobs.value, second: state.allJobs.value[1] };
     await poller.refresh();
@@ -342,7 +342,7 @@ describe('the poller', () => {
   it('says so when the very first answer fails', async () => {
     const state = new AppState();
     const fail = () => Promise.reject(new ApiError(500, 'http.500', 'Broken.'));
-    const poller = new Poller(state, { projects: fail, jobs: fail }, () => undefined);
+    const poller = new Poller(state, fakeApi({ projects: fail, jobs: fail }), () => undefined);
     await poller.refresh();
     poller.stop();
     expect(state.projects.value).toMatchObject({ state: 'failed', error: { code: 'http.500' } });
@@ -471,7 +471,7 @@ describe('errors of the service', () => {
     const state = new AppState();
     let text = JSON.stringify({ jobs: [jobOf({ id: 'j_1' })] });
     const api = makeApi(new Http('/api/v1', async () => new Response(text)));
-    const poller = new Poller(state, { projects: async () => [projectOf()], jobs: api.jobs }, () => undefined);
+    const poller = new Poller(state, fakeApi({ projects: async () => [projectOf()], jobs: api.jobs }), () => undefined);
     const shown = async () => {
       await poller.refresh();
       return { link: state.link.value.state, jobs: state.allJobs.value.map((job) => job.id) };

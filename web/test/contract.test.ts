@@ -33,6 +33,10 @@ const kChosen: Record<string, unknown[][]> = {
     ['j_1', 'resume'],
     ['j_1', 'cancel'],
   ],
+  sweepUrl: [
+    ['s_1', 'table.csv'],
+    ['s_1', 'sheet.png'],
+  ],
 };
 
 /** The requests of all functions of an API, as "POST /api/v1/jobs"; `first` is their first argument. */

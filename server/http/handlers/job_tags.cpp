@@ -50,6 +50,7 @@ Result<store::JobQuery> read_query(const http::HttpRequest& request) {
   query.states = TRY(read_states(request.parameter("state")));
   query.project_id = request.parameter("project");
   query.tag = request.parameter("tag");
+  query.sweep = request.parameter("sweep");
   query.since_ms = TRY(read_time(request, "since"));
   query.until_ms = TRY(read_time(request, "until"));
   return query;
@@ -84,9 +85,9 @@ json::JsonValue tag_list(const store::Tags& tags) {
 }
 
 json::JsonValue tags_of(const Api& api, const store::RequestContext& context, const std::string& job) {
-  const auto tags = search_in(api).tags_of_jobs(context.owner, job, job);
+  const Result<store::Tags> tags = store::tags_of_job(api.store, context, job);
   if (!tags) context.log.warn("tags are not told", tags.error());
-  return tag_list(tags && tags->contains(job) ? tags->at(job) : store::Tags{});
+  return tag_list(tags ? *tags : store::Tags{});
 }
 
 }  // namespace toile::handlers

@@ -11,8 +11,8 @@
 namespace toile::handlers {
 
 /// What read_query takes.
-inline const std::vector<std::string> kQueryParameters{"state", "project", "tag", "since", "until"};
-/// Of ?state (words with commas between them), ?project, ?tag, ?since and ?until (Unix ms). Errors:
+inline const std::vector<std::string> kQueryParameters{"state", "project", "tag", "sweep", "since", "until"};
+/// Of ?state (words with commas between them), ?project, ?tag, ?sweep, ?since and ?until (Unix ms). Errors:
 /// request.state, request.since, request.until.
 Result<store::JobQuery> read_query(const http::HttpRequest& request);
 

@@ -10,6 +10,7 @@
 #include "server/http/handlers/api.h"
 #include "server/http/handlers/job_tags.h"
 #include "server/http/handlers/job_views.h"
+#include "server/http/handlers/job_wish.h"
 #include "server/http/problem.h"
 #include "server/http/static_files.h"
 #include "server/ws/job_message.h"
@@ -19,41 +20,20 @@ namespace {
 
 std::string place_of(const store::JobRow& job) { return "/api/v1/jobs/" + job.id; }
 
+/// Where it stands in a sweep; null: it was asked for by itself.
+json::JsonValue cell_json(const store::SweepCell& cell) {
+  if (cell.sweep.empty()) return {};
+  return std::vector<json::JsonMember>{
+      {"id", cell.sweep}, {"body", double(cell.body)}, {"fabric", double(cell.fabric)}};
+}
+
 http::HttpResponse job_answer(const Api& api, const store::RequestContext& context,
                               const store::JobRow& job) {
   std::vector<json::JsonMember> members = job_members_now(api, context, job);
   members.push_back({"tags", tags_of(api, context, job.id)});
+  members.push_back({"sweep", cell_json(job.cell)});
   return json_answer(200, std::move(members), "report",
                      job.report.empty() || !store::is_final(job.state) ? "null" : job.report);
-}
-
-Result<jobs::JobWish> read_wish(const json::JsonValue& given) {
-  jobs::JobWish wish;
-  if (const json::JsonValue* word = given.find("priority")) {
-    const Result<store::JobPriority> priority = store::job_priority_from(word->text() ? *word->text() : "");
-    if (!priority) return Error{"request.priority", priority.error().message, "/priority"};
-    wish.priority = *priority;
-  }
-  if (const json::JsonValue* anew = given.find("anew")) {
-    if (!anew->boolean()) return Error{"request.anew", "\"anew\" is true or false", "/anew"};
-    wish.anew = *anew->boolean();
-  }
-  if (const json::JsonValue* from = given.find("from")) {
-    if (!from->text()) return Error{"request.from", "\"from\" is the id of a job", "/from"};
-    wish.from = *from->text();
-  }
-  return wish;
-}
-
-/// A job that was asked for, with its tags. Whoever asks again with the same key, because a crash came in
-/// between, gives them again.
-http::HttpResponse tagged(const Api& api, const store::RequestContext& context,
-                          const store::Made<store::JobRow>& job, const store::Tags& tags) {
-  if (!tags.empty()) {
-    const Status kept = search_in(api).set_tags(context, job.id, tags);
-    if (!kept) return http::problem(kept.error());
-  }
-  return made_answer(job_answer(api, context, job), job.anew, place_of(job));
 }
 
 http::HttpResponse submit(const Api& api, const store::RequestContext& context,
@@ -65,13 +45,11 @@ http::HttpResponse submit(const Api& api, const store::RequestContext& context,
   if (!id || !id->text()) {
     return http::problem(422, {"request.project_id", "\"project_id\" is the id of a project", "/project_id"});
   }
-  const Result<jobs::JobWish> wish = read_wish(*given);
+  const Result<jobs::JobWish> wish = read_job_wish(*given);
   if (!wish) return http::problem(422, wish.error());
-  const Result<store::Tags> tags = read_tags(*given);
-  if (!tags) return http::problem(422, tags.error());
   const Result<store::Made<store::JobRow>> job =
       api.jobs.submit(context, *id->text(), request.header("idempotency-key"), *wish);
-  if (job) return tagged(api, context, *job, *tags);
+  if (job) return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
   if (job.error().kind != ErrorKind::kNotFound) return http::problem(job.error());
   return http::problem(404, {"store.not_found", "there is no project " + in_quotes(*id->text()),
                              "/project_id", ErrorKind::kNotFound});
@@ -95,6 +73,7 @@ http::HttpResponse list(const Api& api, const store::RequestContext& context,
   return page_answer("jobs", *page, std::move(*rows), [&](const store::JobRow& row) {
     std::vector<json::JsonMember> members = job_members_now(api, context, row);
     members.push_back({"tags", tag_list(tags[row.id])});
+    members.push_back({"sweep", cell_json(row.cell)});
     return json::JsonValue(std::move(members));
   });
 }
@@ -109,12 +88,6 @@ http::HttpResponse tag(const Api& api, const store::RequestContext& context,
   if (!tags) return http::problem(422, tags.error());
   const Status kept = search_in(api).set_tags(context, request.captures[0], *tags);
   return kept ? json_answer(200, {{"tags", tag_list(*tags)}}) : http::problem(kept.error());
-}
-
-/// What was asked for has the tags of what it was asked for again.
-store::Tags tags_before(const Api& api, const store::RequestContext& context, const std::string& id) {
-  const auto tags = search_in(api).tags_of_jobs(context.owner, id, id);
-  return tags && tags->contains(id) ? tags->at(id) : store::Tags{};
 }
 
 http::HttpResponse show(const Api& api, const store::RequestContext& context,
@@ -148,7 +121,7 @@ http::HttpResponse retry(const Api& api, const store::RequestContext& context,
   const Result<store::Made<store::JobRow>> job =
       api.jobs.retry(context, request.captures[0], request.header("idempotency-key"));
   if (!job) return http::problem(job.error());
-  return tagged(api, context, *job, tags_before(api, context, request.captures[0]));
+  return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
 }
 
 http::HttpResponse remove(const Api& api, const store::RequestContext& context,

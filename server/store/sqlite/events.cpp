@@ -12,7 +12,7 @@ namespace {
 
 Result<store::EventRow> event_from(const SqlStatement& row) {
   return store::EventRow{row.integer(0), row.integer(1), row.text(2), row.text(3),
-                         row.text(4),    row.text(5),    row.text(6)};
+                         row.text(4),    row.text(5),    row.text(6), row.text(7)};
 }
 
 Result<std::int64_t> number_from(const SqlStatement& row) { return row.integer(0); }
@@ -22,7 +22,7 @@ Result<std::int64_t> number_from(const SqlStatement& row) { return row.integer(0
 Result<std::vector<store::EventRow>> SqliteStore::events_after(const store::OwnerId& owner,
                                                                std::int64_t number, int limit) {
   const std::lock_guard hold(mutex_);
-  return rows_of(database_.prepare("SELECT number, at_ms, job, project_id, name, state, reason_code"
+  return rows_of(database_.prepare("SELECT number, at_ms, job, project_id, name, state, reason_code, sweep"
                                    " FROM events WHERE owner = ? AND number > ? ORDER BY number LIMIT ?",
                                    {owner, number, std::int64_t{limit}}),
                  event_from);

@@ -17,6 +17,7 @@ constexpr const char* kThatFit =
     " AND (? = '' OR instr(?, ',' || state || ',') > 0) AND (? = '' OR project_id = ?)"
     " AND (? = '' OR EXISTS (SELECT 1 FROM tags WHERE tags.owner = jobs.owner AND tags.job = jobs.id AND"
     " tags.tag = ?))"
+    " AND (? = '' OR sweep = ?)"
     " AND created_ms >= ? AND (? = 0 OR created_ms < ?) ORDER BY id DESC LIMIT ?";
 
 /// ",queued,running,"; empty for any.
@@ -39,11 +40,13 @@ Result<std::vector<store::JobRow>> SqliteStore::find_jobs(const store::RequestCo
                                                           const std::string& cursor, int limit) {
   const std::string before = TRY(before_what(cursor, 'j'));
   const std::string states = words_of(query.states);
+  const std::string of_sweep = query.sweep == store::JobQuery::kAlone ? "" : query.sweep;
   const std::lock_guard hold(mutex_);
   return readable_rows_of(
-      database_.prepare(select(kJobListColumns, kThatFit),
-                        {context.owner, before, states, states, query.project_id, query.project_id, query.tag,
-                         query.tag, query.since_ms, query.until_ms, query.until_ms, page_limit(limit)}),
+      database_.prepare(
+          select(kJobListColumns, kThatFit),
+          {context.owner, before, states, states, query.project_id, query.project_id, query.tag, query.tag,
+           query.sweep, of_sweep, query.since_ms, query.until_ms, query.until_ms, page_limit(limit)}),
       job_from, context.log);
 }
 
@@ -54,11 +57,17 @@ Status SqliteStore::set_tags(const store::RequestContext& context, const std::st
   TRY(row_of(database_.prepare("SELECT id FROM jobs WHERE owner = ? AND id = ?", {context.owner, job}),
              text_from, "job", job));
   TRY(database_.run("DELETE FROM tags WHERE owner = ? AND job = ?", {context.owner, job}));
-  for (const std::string& tag : tags) {
-    TRY(database_.run("INSERT OR IGNORE INTO tags (owner, job, tag) VALUES (?, ?, ?)",
-                      {context.owner, job, tag}));
-  }
+  TRY(insert_tags(context.owner, job, tags));
   return transaction.commit();
+}
+
+/// REQUIRES mutex_.
+Status SqliteStore::insert_tags(const store::OwnerId& owner, const std::string& job,
+                                const store::Tags& tags) {
+  for (const std::string& tag : tags) {
+    TRY(database_.run("INSERT OR IGNORE INTO tags (owner, job, tag) VALUES (?, ?, ?)", {owner, job, tag}));
+  }
+  return {};
 }
 
 Result<std::map<std::string, store::Tags>> SqliteStore::tags_of_jobs(const store::OwnerId& owner,

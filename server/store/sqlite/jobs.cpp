@@ -49,8 +49,9 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
   TRY(database_.run(
       "INSERT INTO jobs (owner, id, project_id, project_revision, name, document, files, state, reason_code,"
       " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key,"
-      " document_bytes, priority, input) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-      "?)",
+      " document_bytes, priority, input, sweep, sweep_body, sweep_fabric) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "?,"
+      " ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
       {owner,
        row.id,
        row.project_id,
@@ -71,8 +72,11 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
        key,
        static_cast<std::int64_t>(row.document.size()),
        store::name_of(row.priority),
-       row.input}));
-  return {};
+       row.input,
+       row.cell.sweep,
+       std::int64_t{row.cell.body},
+       std::int64_t{row.cell.fabric}}));
+  return insert_tags(owner, row.id, row.tags);
 }
 
 Result<store::Made<store::JobRow>> SqliteStore::create_job(const store::RequestContext& context,
@@ -89,7 +93,7 @@ Result<store::Made<store::JobRow>> SqliteStore::create_job(const store::RequestC
         "this idempotency key was used for project " + made->project_id + "; use a new one for another drape",
         "", ErrorKind::kConflict};
   }
-  TRY(check_room_for_job(context.owner, row.document.size()));
+  TRY(check_room_for_jobs(context.owner, 1, row.document.size()));
   row.created_ms = store_now_ms();
   std::string id = TRY(ids_.next('j', row.created_ms));
   row.id = std::move(id);

@@ -67,11 +67,17 @@ Status SqliteStore::check_room(const store::OwnerId& owner, std::size_t more) {
                "", ErrorKind::kNoRoom};
 }
 
-Status SqliteStore::check_room_for_job(const store::OwnerId& owner, std::size_t more) {
+Status SqliteStore::check_room_for_jobs(const store::OwnerId& owner, int jobs, std::size_t more) {
   TRY(check_room(owner, more));
   if (quotas_.unfinished_jobs <= 0) return {};
   const store::Usage now = TRY(usage_of(owner));
-  if (now.unfinished_jobs < quotas_.unfinished_jobs) return {};
+  if (now.unfinished_jobs + jobs <= quotas_.unfinished_jobs) return {};
+  if (jobs > 1)
+    return Error{"quota.jobs",
+                 "these are " + std::to_string(jobs) + " drapes, and beside your " +
+                     std::to_string(now.unfinished_jobs) + " that have not ended one may have " +
+                     std::to_string(quotas_.unfinished_jobs) + " here; ask for fewer, or try again later",
+                 "", ErrorKind::kTooMany};
   return Error{"quota.jobs",
                "you have " + std::to_string(now.unfinished_jobs) +
                    " drapes that have not ended, which is as many as one may have here; try again when one "

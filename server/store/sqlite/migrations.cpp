@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "server/store/sqlite/sweep_schema.h"
+
 namespace toile::sqlite {
 namespace {
 
@@ -248,6 +250,7 @@ CREATE TRIGGER tags_go_with_their_job AFTER DELETE ON jobs BEGIN
   DELETE FROM tags WHERE owner = OLD.owner AND job = OLD.id;
 END;
 )sql"},
+    {14, "drapes that were asked for together", kSweepSchema},
 };
 
 constexpr const char* kRemembered = R"sql(

@@ -20,7 +20,7 @@ Result<store::IdSource> ids_after(SqlDatabase& database) {
   store::IdSource ids;
   for (const char* newest : {"SELECT max(id) FROM projects", "SELECT max(id) FROM jobs",
                              "SELECT max(id) FROM accounts WHERE id LIKE 'u%'", "SELECT max(id) FROM keys",
-                             "SELECT max(id) FROM links"}) {
+                             "SELECT max(id) FROM links", "SELECT max(id) FROM sweeps"}) {
     const std::string id = TRY(row_of(database.prepare(newest), text_from, "id", ""));
     ids.start_after(id);
   }

@@ -46,6 +46,14 @@ Result<std::vector<store::JobNote>> notes_from(const std::string& text, const st
   return notes;
 }
 
+Result<std::vector<std::string>> labels_from(const std::string& text, const std::string& thing) {
+  const Json list = Json::parse(text, nullptr, false);
+  if (!list.is_array() || list.empty()) return damaged(thing);
+  std::vector<std::string> labels;
+  for (const Json& label : list) labels.push_back(label.is_string() ? label.get<std::string>() : "");
+  return labels;
+}
+
 Result<std::optional<store::JobVerdict>> verdict_from(const std::string& text, const std::string& thing) {
   if (text.empty()) return std::optional<store::JobVerdict>();
   const Json object = Json::parse(text, nullptr, false);
@@ -143,7 +151,20 @@ Result<store::JobRow> job_from(const SqlStatement& row) {
   job.suspect = row.integer(21) != 0;
   job.lease = {row.text(22), row.integer(23), row.integer(24)};
   job.progress = row.text(25);
+  job.cell = {row.text(26), static_cast<int>(row.integer(27)), static_cast<int>(row.integer(28))};
   return job;
+}
+
+Result<store::SweepRow> sweep_from(const SqlStatement& row) {
+  store::SweepRow sweep;
+  sweep.id = row.text(0);
+  sweep.project_id = row.text(1);
+  sweep.project_revision = static_cast<int>(row.integer(2));
+  sweep.name = row.text(3);
+  sweep.created_ms = row.integer(4);
+  sweep.bodies = TRY(labels_from(row.text(5), sweep.id));
+  sweep.fabrics = TRY(labels_from(row.text(6), sweep.id));
+  return sweep;
 }
 
 std::string column_text(const FileIds& files) { return text_of(files); }
@@ -153,6 +174,8 @@ std::string column_text(const store::ResultFiles& results) {
   for (const auto& [name, file] : results) object[name] = {{"bytes", file.bytes}, {"xxh3", file.hash}};
   return dumped(object);
 }
+
+std::string column_text(const std::vector<std::string>& labels) { return dumped(Json(labels)); }
 
 std::string column_text(const std::vector<store::JobNote>& notes) {
   Json list = Json::array();

@@ -71,7 +71,7 @@ std::int64_t page_limit(int limit) {
 Result<store::AssetRow> SqliteStore::put_asset(const store::RequestContext& context, store::AssetRow row,
                                                std::string_view bytes) {
   TRY(store::check_name(row.name));
-  row.id = "a_" + hash_of(row.kind + '/' + row.name + '/' + hash_of(bytes));  // no kind, no name has a slash
+  row.id = store::asset_id(row.kind, row.name, bytes);
   row.size = static_cast<std::int64_t>(bytes.size());
   row.created_ms = store_now_ms();
   if (const Result<store::AssetRow> there = asset(context, row.id); !there) {

@@ -22,6 +22,7 @@
 #include "server/store/sqlite/database.h"
 #include "server/store/sqlite/links.h"
 #include "server/store/store.h"
+#include "server/store/sweeps.h"
 #include "server/store/webhooks.h"
 
 namespace toile::sqlite {
@@ -35,7 +36,8 @@ struct BlobPlace {
 class SqliteStore final : public store::Store,
                           public store::Events,
                           public store::Webhooks,
-                          public store::JobSearch {
+                          public store::JobSearch,
+                          public store::Sweeps {
  public:
   struct Locks {
     std::optional<store::FolderLock> server;
@@ -153,6 +155,18 @@ class SqliteStore final : public store::Store,
                                                           const std::string& first,
                                                           const std::string& last) override;
 
+  Result<store::Made<store::SweptJobs>> create_sweep(const store::RequestContext& context,
+                                                     store::SweptJobs wanted,
+                                                     const std::string& idempotency_key) override;
+  Result<store::SweptJobs> sweep_of_key(const store::RequestContext& context,
+                                        const std::string& idempotency_key) override;
+  Result<store::SweepRow> sweep(const store::RequestContext& context, const std::string& id) override;
+  Result<std::vector<store::SweepRow>> sweeps(const store::RequestContext& context,
+                                              const std::string& project_id, const std::string& cursor,
+                                              int limit) override;
+  Result<std::vector<store::JobRow>> jobs_of_sweep(const store::RequestContext& context,
+                                                   const std::string& id) override;
+
  private:
   // What follows expects mutex_ to be held.
   Result<bool> names_asset(const store::OwnerId& owner, const std::string& id);
@@ -176,8 +190,11 @@ class SqliteStore final : public store::Store,
   Result<store::Usage> usage_of(const store::OwnerId& owner);
   /// Error: quota.bytes when `more` bytes would be too many.
   Status check_room(const store::OwnerId& owner, std::size_t more);
-  /// The same, and one more job: quota.jobs.
-  Status check_room_for_job(const store::OwnerId& owner, std::size_t more);
+  /// The same, and so many more jobs: quota.jobs.
+  Status check_room_for_jobs(const store::OwnerId& owner, int jobs, std::size_t more);
+  Status insert_tags(const store::OwnerId& owner, const std::string& job, const store::Tags& tags);
+  Result<store::SweptJobs> find_sweep_of_key(const store::OwnerId& owner, const std::string& key);
+  Result<std::vector<store::JobRow>> find_jobs_of_sweep(const store::OwnerId& owner, const std::string& id);
   Result<std::vector<std::string>> files_columns(const char* table);
 
   // And what follows takes it.

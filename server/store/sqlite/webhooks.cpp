@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* kColumns =
     "d.number, d.owner, d.webhook, d.event, d.at_ms, d.job, d.project_id, d.name, d.state, d.reason_code,"
-    " d.outcome, d.attempts, d.next_ms, d.status, d.error";
-constexpr int kColumnCount = 15;
+    " d.outcome, d.attempts, d.next_ms, d.status, d.error, d.sweep";
+constexpr int kColumnCount = 16;
 
 /// Words with commas between them, as a column has them.
 std::string joined(const std::vector<std::string>& words) {
@@ -52,7 +52,7 @@ Result<store::DeliveryRow> delivery_from(const SqlStatement& row) {
   delivery.owner = row.text(1);
   delivery.webhook = row.text(2);
   delivery.event = {row.integer(3), row.integer(4), row.text(5), row.text(6),
-                    row.text(7),    row.text(8),    row.text(9)};
+                    row.text(7),    row.text(8),    row.text(9), row.text(15)};
   delivery.outcome = TRY(outcome_from(row.text(10)));
   delivery.attempts = static_cast<int>(row.integer(11));
   delivery.next_ms = row.integer(12);

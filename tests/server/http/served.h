@@ -15,6 +15,7 @@
 #include "server/http/handlers/routes.h"
 #include "server/http/identify.h"
 #include "server/http/server.h"
+#include "server/store/job_search.h"
 #include "server/store/sqlite/open.h"
 #include "tests/app/napkin.h"
 #include "tests/server/http/wire.h"
@@ -26,7 +27,7 @@ namespace toile::test {
 /// Jobs that nobody drapes: their states change as they are told, and the test plays the worker.
 class ScriptedJobs final : public jobs::JobService {
  public:
-  explicit ScriptedJobs(store::Store& store) : store_(store) {}
+  explicit ScriptedJobs(documents::Documents& documents) : documents_(documents), store_(documents.store()) {}
   Status start() override { return {}; }
   void stop() override {}
   Result<store::Made<store::JobRow>> submit(const store::RequestContext& context,
@@ -40,11 +41,20 @@ class ScriptedJobs final : public jobs::JobService {
     row.document = project.document;
     row.files = project.files;
     row.priority = wish.priority;
+    row.tags = wish.tags;
     return store_.create_job(context, row, key);
+  }
+  Result<store::Made<store::SweptJobs>> submit_sweep(const store::RequestContext& context,
+                                                     const jobs::SweepWish& wish,
+                                                     const std::string& key) override {
+    store::SweptJobs wanted = TRY(jobs::swept_jobs(documents_, context, wish));
+    return store::sweeps_of(store_)->create_sweep(context, std::move(wanted), key);
   }
   Result<store::Made<store::JobRow>> retry(const store::RequestContext& context, const std::string& id,
                                            const std::string& key) override {
-    const store::JobRow row = TRY(store_.job(context, id));
+    store::JobRow row = TRY(store_.job(context, id));
+    row.tags = TRY(store::tags_of_job(store_, context, id));
+    row.state = store::JobState::kQueued;
     return store_.create_job(context, row, key);
   }
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override {
@@ -81,6 +91,7 @@ class ScriptedJobs final : public jobs::JobService {
   }
 
  private:
+  documents::Documents& documents_;
   store::Store& store_;
 };
 
@@ -100,7 +111,7 @@ class Served : public testing::Test {
       two.workers = 2;
       jobs = jobs::make_job_service(*documents, hub, two);
     } else {
-      jobs = std::make_unique<ScriptedJobs>(*store);
+      jobs = std::make_unique<ScriptedJobs>(*documents);
     }
     ASSERT_TRUE(jobs->start());
     movies = std::make_unique<jobs::Movies>(*store);

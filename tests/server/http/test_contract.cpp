@@ -192,6 +192,39 @@ class Contract : public Served {
     recorded("GET", place, "", bearer);
   }
 
+  void record_sweeps(const std::string& project) {
+    const std::string wish = "{\"project_id\": \"" + project +
+                             R"(", "fabrics": ["silk-habotai", {"label": "as it is"}], "tags": ["spring"]})";
+    const std::string once = std::string(kJson) + "Idempotency-Key: swept\r\n";
+    const Answer made = recorded("POST", "/api/v1/sweeps", wish, once);
+    ASSERT_EQ(made.status, 201) << made.body;
+    EXPECT_EQ(recorded("POST", "/api/v1/sweeps", wish, once).status, 200);
+    recorded("POST", "/api/v1/sweeps", "[", kJson);
+    recorded("POST", "/api/v1/sweeps", R"({"project_id": "p_0"})", kJson);
+    recorded("POST", "/api/v1/sweeps", "{\"project_id\": \"" + project + R"(", "fabrics": ["felt?"]})",
+             kJson);
+    const std::string place = "/api/v1/sweeps/" + member(made, "id");
+    recorded("GET", place);
+    recorded("DELETE", place);
+    for (int waited = 0; waited < 1200 && get(place).body.find("\"ended\": true") == std::string::npos;
+         ++waited)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    const Answer ended = recorded("GET", place);
+    EXPECT_NE(ended.body.find("\"succeeded\": 2"), std::string::npos) << ended.body;
+    recorded("GET", "/api/v1/sweeps?project=" + project);
+    recorded("GET", "/api/v1/sweeps?limit=0");
+    EXPECT_EQ(recorded("GET", place + "/table.csv").status, 200);
+    EXPECT_EQ(recorded("GET", place + "/sheet.png").status, 200);
+    recorded("GET", place + "/sheet.png?view=below");
+    EXPECT_EQ(recorded("POST", place + "/cancel").status, 200);
+    recorded("GET", "/api/v1/jobs?sweep=" + member(made, "id"));
+    EXPECT_EQ(recorded("DELETE", place).status, 204);
+    for (const char* part : {"", "/table.csv", "/sheet.png"})
+      EXPECT_EQ(recorded("GET", place + part).status, 404);
+    recorded("POST", place + "/cancel");
+    recorded("DELETE", place);
+  }
+
   /// Made, or failed where ffmpeg is not installed.
   void record_movies(const std::string& address) {
     const std::string place = address + "/movies";
@@ -318,6 +351,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", address + "/results/report.json/small");
   record_links(address);
   record_movies(address);
+  record_sweeps(project);
   EXPECT_EQ(recorded("PUT", address + "/tags", R"({"tags": ["spring"]})", kJson).status, 200);
   recorded("GET", address + "/report");
   recorded("GET", address + "/log");

@@ -85,7 +85,12 @@ TEST_F(EventFeeds, SayWhereSomethingIsMissing) {
   late.number = 9;
   late.state = "queued";
   EXPECT_TRUE(http::event_text({late}, 3).starts_with("id: 8\nevent: gap\ndata: {}\n\nid: 9\n"));
+  late.job = "j_1";
   EXPECT_TRUE(http::event_text({late}, 8).starts_with("id: 9\nevent: job\n"));
+  store::EventRow end = late;  // of a sweep itself
+  end.job.clear();
+  end.sweep = "s_1";
+  EXPECT_TRUE(http::event_text({end}, 8).starts_with("id: 9\nevent: sweep\n"));
   EXPECT_PROBLEM(get("/api/v1/events", "Last-Event-ID: x\r\n"), 400, "request.after");
   EXPECT_PROBLEM(get("/api/v1/events?after=-1"), 400, "request.after");
   EXPECT_PROBLEM(get("/api/v1/events?state=queued"), 400, "request.unknown_parameter");

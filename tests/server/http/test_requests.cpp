@@ -271,7 +271,8 @@ TEST(HttpServer, OpensThePortOnTheLoopbackOnly) {
   std::filesystem::create_directories(folder);
   auto store = sqlite::open_sqlite_store(folder.string());
   ASSERT_TRUE(store);
-  ScriptedJobs jobs(**store);
+  documents::Documents documents(**store);
+  ScriptedJobs jobs(documents);
   ws::Hub hub;
   for (const char* address : {"0.0.0.0", "::", "192.168.1.1", "10.0.0.1", "example.org", ""}) {
     http::ServerSettings settings;

@@ -83,10 +83,17 @@ class Accounts : public Served {
     webhook.url = "https://example.org/";
     webhook.states = {"cancelled"};
     const std::string hook = store::webhooks_of(*store)->add_webhook(webhook)->id;
-    things = {{"assets", asset}, {"bodies", asset},  {"projects", project}, {"jobs", job},
-              {"keys", key},     {"links", link_id}, {"shared", link_id},   {"admin/accounts", ben.id},
-              {"webhooks", hook}};
-    ASSERT_FALSE(asset.empty() || project.empty() || job.empty());
+    const std::string sweep =
+        member(as(full, "POST", "/api/v1/sweeps", "{\"project_id\": \"" + project + "\"}", json), "id");
+    const store::JobRow swept = store::sweeps_of(*store)->jobs_of_sweep(owner, sweep)->front();
+    ASSERT_TRUE(store->change_job(owner, swept.id, [](store::JobRow& one) -> Status {
+      one.state = store::JobState::kSucceeded;
+      return {};
+    }));
+    things = {{"assets", asset},  {"bodies", asset},  {"projects", project}, {"jobs", job},
+              {"keys", key},      {"links", link_id}, {"shared", link_id},   {"admin/accounts", ben.id},
+              {"webhooks", hook}, {"sweeps", sweep}};
+    ASSERT_FALSE(sweep.empty() || asset.empty() || project.empty() || job.empty());
   }
 
   /// A path of the contract with Anna's things in place of its braces.
@@ -122,6 +129,7 @@ class Accounts : public Served {
         {"POST /api/v1/webhooks", R"({"url": "https://example.org/other"})"},
         {"POST /api/v1/shared", R"({"secret": "guess"})"},
         {"POST /api/v1/jobs", "{\"project_id\": \"" + things["projects"] + "\"}"},
+        {"POST /api/v1/sweeps", "{\"project_id\": \"" + things["projects"] + "\"}"},
     };
     const auto found = bodies.find(operation);
     return found == bodies.end() ? "{}" : found->second;

@@ -4,6 +4,7 @@ import { decodeBody, type BodyMesh } from './body';
 import { Http, kLongPatience } from './http';
 import { makeLinkApi, type LinkApi } from './links';
 import { makePatternUrls, type PatternUrls } from './patternFiles';
+import { makeSweepApi, type SweepApi } from './sweeps';
 import { makeSessionApi, type SessionApi } from './session';
 import type {
   Answer,
@@ -25,7 +26,7 @@ import type {
 
 export type JobAction = 'pause' | 'resume' | 'cancel';
 
-export interface Api extends SessionApi, LinkApi, PatternUrls {
+export interface Api extends SessionApi, LinkApi, PatternUrls, SweepApi {
   projects(): Promise<Project[]>;
   project(id: string): Promise<Project>;
   createProject(document: unknown, files: Record<string, string>): Promise<Project>;
@@ -49,6 +50,7 @@ export interface Api extends SessionApi, LinkApi, PatternUrls {
   /** Stands the pieces around the body: one step of the history. */
   arrange(projectId: string, revision: number): Promise<Project>;
   uploadAsset(kind: Asset['kind'], name: string, bytes: Blob): Promise<Asset>;
+  /** Newest first, without those of sweeps. */
   jobs(): Promise<Job[]>;
   job(id: string): Promise<Job>;
   /** `key` makes asking twice (a lost answer) start one drape only. */
@@ -73,13 +75,19 @@ const part = encodeURIComponent;
 const kBytes = { 'Content-Type': 'application/octet-stream' };
 const matching = (revision: number): Record<string, string> => ({ 'If-Match': `"${revision}"` });
 
+/** What has files of its own. */
+const otherRoutes = (http: Http): SessionApi & LinkApi & PatternUrls & SweepApi => ({
+  ...makeSessionApi(http),
+  ...makeLinkApi(http),
+  ...makePatternUrls(http),
+  ...makeSweepApi(http),
+});
+
 export function makeApi(http = new Http('/api/v1')): Api {
   const result = (id: string, name: string): string =>
     `/jobs/${part(id)}/results/${name.split('/').map(part).join('/')}`;
   return {
-    ...makeSessionApi(http),
-    ...makeLinkApi(http),
-    ...makePatternUrls(http),
+    ...otherRoutes(http),
     projects: async () => (await http.get<Answer<'listProjects'>>('/projects?limit=100')).projects,
     project: (id) => http.get(`/projects/${part(id)}`),
     createProject: (document, files) => http.post('/projects', { document, files }),
@@ -112,7 +120,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
       const path = `/assets?kind=${kind}&name=${part(name)}`;
       return http.json(path, { method: 'POST', headers: kBytes, body: bytes });
     },
-    jobs: async () => (await http.get<Answer<'listJobs'>>('/jobs?limit=100')).jobs,
+    jobs: async () => (await http.get<Answer<'listJobs'>>('/jobs?limit=100&sweep=none')).jobs,
     job: (id) => http.get(`/jobs/${part(id)}`),
     submit: (id, key, from) =>
       http.post('/jobs', { project_id: id, priority: 'interactive', ...(from ? { from } : {}) } satisfies Question<'submitJob'>, {

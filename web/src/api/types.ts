@@ -27,7 +27,7 @@ export type Paper = Schemas['Paper'];
 export type JobState = Schemas['JobState'];
 export type Progress = Schemas['Progress'];
 /** A drape that was asked for. Lists leave out the report, the stream's last message also the progress. */
-export type Job = Schemas['JobFields'] & { progress?: Progress | null; report?: Report | null };
+export type Job = Schemas['JobFields'] & { progress?: Progress | null; report?: Report | null; sweep?: Schemas['CellOfSweep'] };
 
 /** report.json. The service keeps those of its older versions, in which stretch and squeeze are not told apart. */
 export type Report = Omit<Schemas['report.schema'], 'strain'> & {

@@ -14,6 +14,7 @@ import { DressingCommands } from './DressingCommands';
 import { ImportCommands } from './ImportCommands';
 import { asApiError, notify, notifyError } from './notices';
 import { PatternCommands } from './PatternCommands';
+import { SweepCommands } from './SweepCommands';
 import { TextureCommands } from './TextureCommands';
 import { t } from '../texts/language';
 
@@ -32,6 +33,7 @@ export class Commands {
   readonly imports: ImportCommands;
   readonly dressing: DressingCommands;
   readonly textures: TextureCommands;
+  readonly sweeps: SweepCommands;
 
   constructor(
     private readonly state_: AppState,
@@ -44,6 +46,7 @@ export class Commands {
   ) {
     this.pattern = new PatternCommands(state_, api_, refresh_);
     this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
+    this.sweeps = new SweepCommands(state_, api_, (route) => this.open(route), () => around_.newKey(), refresh_);
     this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));
     this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);
   }

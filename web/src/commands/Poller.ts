@@ -3,6 +3,7 @@
 
 import type { Signal } from '@preact/signals';
 import type { Api } from '../api/Api';
+import type { Job } from '../api/types';
 import { ApiError } from '../api/http';
 import { backoff } from '../api/JobStream';
 import { ready, valueOf, type AppState, type Loaded } from '../state/AppState';
@@ -19,7 +20,7 @@ export class Poller {
 
   constructor(
     private readonly state_: AppState,
-    private readonly api_: Pick<Api, 'projects' | 'jobs'>,
+    private readonly api_: Pick<Api, 'projects' | 'jobs' | 'job' | 'sweeps'>,
     /** Called when the service answers again after it did not. */
     private readonly returned_: () => void,
   ) {}
@@ -47,7 +48,7 @@ export class Poller {
 
   private async ask(): Promise<void> {
     try {
-      const [projects, jobs] = await Promise.all([this.api_.projects(), this.api_.jobs()]);
+      const [projects, jobs, sweeps] = await Promise.all([this.api_.projects(), this.jobs(), this.api_.sweeps()]);
       const known = new Map((valueOf(this.state_.projects.value) ?? []).map((project) => [project.id, project]));
       // An edit's own answer must not be overtaken by a list that was on its way before it.
       const newest = projects.map((one) =>
@@ -55,9 +56,23 @@ export class Poller {
       );
       take(this.state_.projects, newest);
       take(this.state_.jobs, jobs);
+      take(this.state_.sweeps.list, sweeps);
       this.answered();
     } catch (error) {
       this.failed(asApiError(error));
+    }
+  }
+
+  /** The newest, and the one that the address names where it is older or of a sweep. */
+  private async jobs(): Promise<Job[]> {
+    const jobs = await this.api_.jobs();
+    const route = this.state_.route.value;
+    if (route.name !== 'job' || jobs.some(({ id }) => id === route.id)) return jobs;
+    try {
+      return [...jobs, await this.api_.job(route.id)];
+    } catch (error) {
+      if (asApiError(error).status === 404) return jobs;
+      throw error;
     }
   }
 
@@ -84,9 +99,13 @@ export class Poller {
     }
   }
 
+  private sweeping(): boolean {
+    return (valueOf(this.state_.sweeps.list.value) ?? []).some(({ ended }) => !ended);
+  }
+
   private pause(): number {
     if (this.attempt_ > 0) return backoff(this.attempt_, 0.5);
-    return this.state_.anyActive.value ? kBusyMs : kIdleMs;
+    return this.state_.anyActive.value || this.sweeping() ? kBusyMs : kIdleMs;
   }
 }
 

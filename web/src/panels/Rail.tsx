@@ -8,6 +8,7 @@ import { useAppState } from '../state/context';
 import { activity, isActive, newestJobOf, overall, stateName, thumbnailOf, withoutStale } from '../state/jobs';
 import { ago, percent, sentence } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { SweepList } from './SweepList';
 import { t } from '../texts/language';
 import { Told } from '../texts/Message';
 import { told } from '../texts/told';
@@ -33,6 +34,7 @@ export function Rail({ resultUrl }: PicturesProps) {
         </button>
       </div>
       <ProjectList resultUrl={resultUrl} />
+      <SweepList />
       <div class="rail-head">
         <h2>{t.frame.drapes}</h2>
       </div>
@@ -89,7 +91,7 @@ function ProjectRow({ project, resultUrl }: { project: Project } & PicturesProps
   const commands = useCommands();
   const finished = state.allJobs.value.filter((job) => job.project_id === project.id && thumbnailOf(job));
   const job = newestJobOf(finished, project.id);
-  const drapes = state.allJobs.value.filter((other) => other.project_id === project.id).length;
+  const drapes = state.allJobs.value.filter((other) => other.project_id === project.id && !other.sweep).length;
   return (
     <li>
       <a
@@ -111,7 +113,7 @@ function ProjectRow({ project, resultUrl }: { project: Project } & PicturesProps
 }
 
 /** Asks once more before it removes anything. */
-function Remove({ what, remove }: { what: string; remove(): Promise<void> }) {
+export function Remove({ what, remove }: { what: string; remove(): Promise<void> }) {
   const asked = useSignal(false);
   return (
     <button

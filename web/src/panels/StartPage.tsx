@@ -12,6 +12,7 @@ const lost = (name: Route['name']): string => ({ home: '',
   job: t.frame.lostPages.job,
   project: t.frame.lostPages.project,
   compare: t.frame.lostPages.compare,
+  sweep: '', // says so itself
   shared: '', // has a page of its own
   unknown: t.frame.lostPages.unknown,
   })[name];

@@ -65,6 +65,16 @@ function Crumbs() {
         </a>
       )}
       {!project && job && <span class="crumb">{job.name}</span>}
+      {job?.sweep && (
+        <>
+          <span class="crumb-sep" aria-hidden="true">
+            /
+          </span>
+          <a class="crumb" href={`#/sweeps/${job.sweep.id}`}>
+            {t.sweep.one}
+          </a>
+        </>
+      )}
       {job && (
         <>
           <span class="crumb-sep" aria-hidden="true">
@@ -72,6 +82,25 @@ function Crumbs() {
           </span>
           <StateChip state={job.state} />
         </>
+      )}
+    </>
+  );
+}
+
+/** Ways to dialogs about what is shown. */
+function Dialogs({ offline }: { offline: boolean }) {
+  const { projectId, job, sweeps, sharing } = useAppState();
+  return (
+    <>
+      {projectId.value && (
+        <button class="plain sweep-open" disabled={offline} onClick={() => (sweeps.choosing.value = true)} title={t.sweep.openTip}>
+          <Icon name="grid" /> <span class="label">{t.sweep.open}</span>
+        </button>
+      )}
+      {job.value && (
+        <button class="plain" disabled={offline} onClick={() => (sharing.value = true)} title={t.frame.shareTip}>
+          <Icon name="share" /> <span class="label">{t.frame.share}</span>
+        </button>
       )}
     </>
   );
@@ -86,11 +115,7 @@ function Actions() {
   const active = job !== null && isActive(job.state);
   return (
     <div class="actions">
-      {job && (
-        <button class="plain" disabled={offline} onClick={() => (state.sharing.value = true)} title={t.frame.shareTip}>
-          <Icon name="share" /> <span class="label">{t.frame.share}</span>
-        </button>
-      )}
+      <Dialogs offline={offline} />
       {can.cancel && (
         <button class="plain" disabled={offline} onClick={() => void commands.act('cancel')}>
           <Icon name="stop" /> {t.common.cancel}
@@ -106,7 +131,7 @@ function Actions() {
           <Icon name="play" /> {t.frame.resume}
         </button>
       )}
-      {!active && state.projectId.value && (
+      {!active && state.projectId.value && !job?.sweep && (
         <button
           class="primary"
           disabled={offline || state.submitting.value}

@@ -16,6 +16,7 @@ import type { IntakePlan } from './intake';
 import { isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
 import { LiveCloth } from './LiveCloth';
 import type { Route } from './routes';
+import { SweepState } from './sweeps';
 import { seamParts, type SeamPart } from './seamView';
 import { looksOf, type Look } from './texture';
 
@@ -85,6 +86,7 @@ export class AppState {
   readonly dressing = new DressingState();
   /** Of the two drapes that stand side by side. */
   readonly comparison = new ComparisonState();
+  readonly sweeps = new SweepState();
 
   readonly notices: Signal<Notice[]> = signal([]);
   readonly intake: Signal<Intake | null> = signal(null);

@@ -54,10 +54,10 @@ export function placeInQueue(jobs: readonly Job[], id: string): number {
   return jobs.filter((job) => job.state === 'queued' && earlier(job)).length;
 }
 
-/** The newest job of a project, or null. */
+/** The newest job of a project, or null; drapes of sweeps are of other fabrics and bodies than it has. */
 export function newestJobOf(jobs: readonly Job[], projectId: string): Job | null {
   return jobs.reduce<Job | null>((best, job) => {
-    if (job.project_id !== projectId) return best;
+    if (job.project_id !== projectId || job.sweep) return best;
     return !best || job.created_ms > best.created_ms ? job : best;
   }, null);
 }

@@ -4,6 +4,7 @@ export type Route =
   | { name: 'home' }
   | { name: 'project'; id: string }
   | { name: 'job'; id: string }
+  | { name: 'sweep'; id: string }
   | { name: 'compare'; left: string; right: string }
   | { name: 'shared'; secret: string }
   | { name: 'unknown'; path: string };
@@ -15,9 +16,10 @@ export function parseRoute(hash: string): Route {
   if (two) return { name: 'compare', left: two[1]!, right: two[2]! };
   const shared = /^\/shared\/(\w{1,128})$/.exec(path);
   if (shared) return { name: 'shared', secret: shared[1]! };
-  const match = /^\/(projects|jobs)\/([A-Za-z0-9_-]{1,64})$/.exec(path);
+  const match = /^\/(projects|jobs|sweeps)\/([A-Za-z0-9_-]{1,64})$/.exec(path);
   if (!match) return { name: 'unknown', path };
-  return { name: match[1] === 'jobs' ? 'job' : 'project', id: match[2]! };
+  const kind = { projects: 'project', jobs: 'job', sweeps: 'sweep' } as const;
+  return { name: kind[match[1] as keyof typeof kind], id: match[2]! };
 }
 
 export function formatRoute(route: Route): string {
@@ -28,6 +30,8 @@ export function formatRoute(route: Route): string {
       return `#/projects/${route.id}`;
     case 'job':
       return `#/jobs/${route.id}`;
+    case 'sweep':
+      return `#/sweeps/${route.id}`;
     case 'compare':
       return `#/compare/${route.left}/${route.right}`;
     case 'shared':

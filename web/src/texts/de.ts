@@ -18,6 +18,7 @@ import { pattern } from './de/pattern';
 import { report } from './de/report';
 import { scene } from './de/scene';
 import { share } from './de/share';
+import { sweep } from './de/sweep';
 
 export const de: Texts = {
   arrange,
@@ -37,4 +38,5 @@ export const de: Texts = {
   report,
   scene,
   share,
+  sweep,
 };

@@ -17,6 +17,7 @@ import { pattern } from './en/pattern';
 import { report } from './en/report';
 import { scene } from './en/scene';
 import { share } from './en/share';
+import { sweep } from './en/sweep';
 
 export const en = {
   arrange,
@@ -36,6 +37,7 @@ export const en = {
   report,
   scene,
   share,
+  sweep,
 };
 
 export type Texts = typeof en;

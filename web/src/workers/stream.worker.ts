@@ -11,7 +11,7 @@ interface Scope {
 
 const scope = self as unknown as Scope;
 const clock: Clock = {
-  after: (ms, what) => setTimeout(what, ms),
+  after: (ms, what) => setTimeout(what, ms) as unknown as number, // beside the types of Node
   cancel: (id) => clearTimeout(id),
   random: () => Math.random(),
 };

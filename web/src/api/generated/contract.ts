@@ -1057,6 +1057,118 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/sweeps": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Sweeps without their cells, newest first */
+        get: operations["listSweeps"];
+        put?: never;
+        /**
+         * Drape a project on several bodies and of several fabrics
+         * @description A drape for each pair of a body and a fabric, as jobs of priority batch under the owner's quotas and turns: all are queued, or none.
+         *     Durable once it is answered. A cell that has been draped before, of the same document and files by the same program, has ended already.
+         *     A body takes the place of one of the document's: how cloth lies on it, and landmarks that mean the same on it, stay. A fabric
+         *     takes the place of what most pieces are cut of; linings and interlinings stay. At most 50 bodies, 50 fabrics and 200 drapes.
+         *     Asking again with the same Idempotency-Key gives the sweep of then; for another project it is refused.
+         */
+        post: operations["submitSweep"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sweeps/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example s_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["SweepId"];
+            };
+            cookie?: never;
+        };
+        /** A sweep with what its cells have come to */
+        get: operations["showSweep"];
+        put?: never;
+        post?: never;
+        /** Remove a sweep whose drapes have all ended, with the drapes and their results */
+        delete: operations["removeSweep"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sweeps/{id}/cancel": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example s_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["SweepId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** End all drapes of a sweep that have not ended */
+        post: operations["cancelSweep"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sweeps/{id}/table.csv": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example s_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["SweepId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * The cells as a table, a line each (RFC 4180)
+         * @description Ease in mm, tension in percent and shear in degrees that 99 % of the triangles do not reach, crossings at the end and in the worst frame.
+         */
+        get: operations["sweepTable"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sweeps/{id}/sheet.png": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example s_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["SweepId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * Small stills of all cells on one sheet, in rows of bodies and columns of fabrics
+         * @description Made when it is asked for. A cell without pictures has its state in words.
+         */
+        get: operations["sweepSheet"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/events": {
         parameters: {
             query?: never;
@@ -1067,7 +1179,8 @@ export interface paths {
         /**
          * What becomes of all jobs of whoever asks, as server-sent events
          * @description A `job` event for every new state of every job, and for its removal; its data is a JobEvent on one line, its id a number that
-         *     rises by one. It is written with the job itself, so that none is lost when the server stops or crashes. A client that comes
+         *     rises by one. A `sweep` event, without a job, follows the end of a sweep's last drape (failed or cancelled where the newest drape of a cell
+         *     is) and the removal of the sweep. It is written with the job itself, so that none is lost when the server stops or crashes. A client that comes
          *     back says what it has heard last (Last-Event-ID, as browsers do by themselves) and is told what came since. The newest
          *     thousand are kept; where some between are not any more, or the number is of another store, a `gap` event says so: look at
          *     the jobs then. A comment every 15 s shows that the connection lives. It ends when its key is good no more, and when the server
@@ -1094,7 +1207,7 @@ export interface paths {
         put?: never;
         /**
          * Have an address told when a drape has ended
-         * @description From now on each job that comes to one of the states is told to the address by a POST whose body is a WebhookMessage. Its secret is
+         * @description From now on each job, and each sweep as a whole, that comes to one of the states is told to the address by a POST whose body is a WebhookMessage. Its secret is
          *     told this once. A message brings `Toile-Delivery` with its number, by which what is told twice is known, and `Toile-Signature: t=SECONDS,v1=HEX`,
          *     where HEX is the HMAC-SHA256 of `SECONDS.BODY` under the secret, and SECONDS the Unix time at which it was sent. Any answer of 2xx within 8 s takes it; else it is
          *     told again after 10 s, 1 min, 5 min, 30 min, 2 h, 6 h and 12 h, and then given up. 410 ends it at once. Redirections are not followed. What is to
@@ -2134,9 +2247,127 @@ export interface components {
             /** @description What was wrong the last time */
             error: string;
         };
+        /** @description Who wears the garment in a row of a sweep. A text is the name of a mannequin's preset; an object without anything is the project's own body */
+        SweepBody: string | {
+            /** @description What the row is called; its preset, file or project where it is not there */
+            label?: string;
+            /** @description Project of the same garment in another size, in place of the one that is swept */
+            project_id?: string;
+            mannequin?: components["schemas"]["mannequin"];
+            /** @description Id of an uploaded body; not beside a mannequin */
+            asset?: string;
+            /**
+             * @description Of the file
+             * @enum {string}
+             */
+            unit?: "m" | "cm" | "mm";
+            /**
+             * @description Which axis of the file points upwards
+             * @enum {string}
+             */
+            up?: "y" | "z";
+            /** @description Degrees about the upright axis */
+            turn?: number;
+        };
+        /** @description What the garment is cut of in a column of a sweep. A text is a fabric's name in the library, or its id in the document; an object without anything is as the project is cut */
+        SweepFabric: string | {
+            /** @description What the column is called; the fabric's name where it is not there */
+            label?: string;
+            fabric?: string;
+        };
+        /** @description The sweep that a job was made for, and where it stands there; null where it was asked for by itself */
+        CellOfSweep: null | {
+            id: string;
+            /** @description Which of its bodies, from 0 */
+            body: number;
+            /** @description Which of its fabrics, from 0 */
+            fabric: number;
+        };
+        SweepFields: {
+            id: string;
+            project_id: string;
+            project_revision: number;
+            name: string;
+            created_ms: number;
+            /** @description Whether all of its drapes have ended */
+            ended: boolean;
+            /** @description Of its work, its cells counting alike */
+            fraction: number;
+            /** @description What its rows are called */
+            bodies: string[];
+            /** @description And its columns */
+            fabrics: string[];
+            /** @description How many cells stand at each state */
+            counts: {
+                queued: number;
+                running: number;
+                paused: number;
+                succeeded: number;
+                failed: number;
+                cancelled: number;
+                removed: number;
+            };
+        };
+        SweepSummary: components["schemas"]["SweepFields"];
+        Sweep: components["schemas"]["SweepFields"] & {
+            /** @description Body by body, each with all fabrics */
+            cells: components["schemas"]["SweepCell"][];
+        };
+        SweepCell: {
+            body: string;
+            fabric: string;
+            /** @description Id of its drape, the newest where it was tried again; null once it was removed */
+            job: string | null;
+            state: components["schemas"]["JobState"] | "removed";
+            reason_code: string;
+            reason: string;
+            fraction: number;
+            /** @description Whether its drape has a still from the front */
+            pictured: boolean;
+            figures: components["schemas"]["SweepFigures"] | null;
+        };
+        /** @description What of its report stands in the table */
+        SweepFigures: {
+            settled: boolean;
+            stop_reason: string;
+            /**
+             * @description Null where nobody stands there
+             * @enum {unknown}
+             */
+            worn: "yes" | "partly" | "no" | null;
+            bust: components["schemas"]["SweepEase"];
+            waist: components["schemas"]["SweepEase"];
+            hip: components["schemas"]["SweepEase"];
+            /** @description Tension along the warp as a ratio; 99 % of the triangles have less */
+            warp_p99: number;
+            weft_p99: number;
+            /** @description rad */
+            shear_p99: number;
+            /** @description Crossings at the end */
+            cloth_body: number;
+            cloth_cloth: number;
+            /** @description Crossings in the worst frame */
+            worst_body: number;
+            worst_cloth: number;
+            open_seams: number;
+            cpu_s: number;
+            simulated_s: number;
+            particles: number;
+            /** @description Of the final positions */
+            hash: string;
+        };
+        /** @description Null where the garment does not go around */
+        SweepEase: null | {
+            /** @enum {unknown} */
+            fit: "fits" | "stretched" | "too_tight";
+            /** @description Garment less body */
+            ease_mm: number;
+        };
         JobEvent: {
-            /** @description Its id */
+            /** @description Its id; empty where a sweep itself has ended or is gone */
             job: string;
+            /** @description Id of the sweep that it is of; empty where it is of none */
+            sweep: string;
             project_id: string;
             name: string;
             /** @description Its new state, or that it is gone */
@@ -2193,6 +2424,7 @@ export interface components {
          *       "tags": [
          *         "spring"
          *       ],
+         *       "sweep": null,
          *       "id": "j_1qedqq1nd5hfbjxpm78j",
          *       "project_id": "p_1qedqq1nd5hfbjxpm78j",
          *       "project_revision": 1,
@@ -2226,10 +2458,12 @@ export interface components {
         JobSummary: components["schemas"]["JobFields"] & {
             progress: components["schemas"]["ProgressNow"];
             tags: components["schemas"]["Tags"];
+            sweep: components["schemas"]["CellOfSweep"];
         };
         Job: components["schemas"]["JobFields"] & {
             progress: components["schemas"]["ProgressNow"];
             tags: components["schemas"]["Tags"];
+            sweep: components["schemas"]["CellOfSweep"];
             /** @description report.json; null until there is one */
             report: components["schemas"]["report.schema"] | null;
         };
@@ -3854,6 +4088,25 @@ export interface components {
                 };
             };
         };
+        /** @description The sweep with its cells */
+        Sweep: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/json": components["schemas"]["Sweep"];
+            };
+        };
+        /** @description The sweep with its cells */
+        SweepMade: {
+            headers: {
+                Location: components["headers"]["Location"];
+                [name: string]: unknown;
+            };
+            content: {
+                "application/json": components["schemas"]["Sweep"];
+            };
+        };
         /** @description The job */
         JobMade: {
             headers: {
@@ -3872,6 +4125,8 @@ export interface components {
         AssetId: string;
         /** @example p_1qedqq1nd5hfbjxpm78j */
         ProjectId: string;
+        /** @example s_1qedqq1nd5hfbjxpm78j */
+        SweepId: string;
         /** @example w_1qedqq1nd5hfbjxpm78j */
         WebhookId: string;
         /**
@@ -5375,6 +5630,11 @@ export interface operations {
                  * @example spring
                  */
                 tag?: string;
+                /**
+                 * @description Of this sweep; none: of no sweep
+                 * @example s_1qedqq1nd5hfbjxpm78j
+                 */
+                sweep?: string;
                 /** @description Made then or later, Unix milliseconds */
                 since?: number;
                 /** @description Made before, Unix milliseconds */
@@ -5997,6 +6257,218 @@ export interface operations {
             403: components["responses"]["Problem"];
             404: components["responses"]["Problem"];
             426: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listSweeps: {
+        parameters: {
+            query?: {
+                /**
+                 * @description Of this project
+                 * @example p_1qedqq1nd5hfbjxpm78j
+                 */
+                project?: string;
+                /** @description The "next" of the page before */
+                cursor?: components["parameters"]["Cursor"];
+                limit?: components["parameters"]["Limit"];
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description A page of them */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        sweeps: components["schemas"]["SweepSummary"][];
+                        next: components["schemas"]["NextCursor"];
+                    };
+                };
+            };
+            400: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    submitSweep: {
+        parameters: {
+            query?: never;
+            header?: {
+                /**
+                 * @description 1 to 200 printable characters, for a request that may be sent again because its answer got lost. What the
+                 *     first one made is answered with 201, and with 200 from then on.
+                 * @example 5f0c1b9e-7a52-4b0e-9a53-2a0f1f1a7a11
+                 */
+                "Idempotency-Key"?: components["parameters"]["IdempotencyKey"];
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "project_id": "p_1qedqq1nd5hfbjxpm78j",
+                 *       "bodies": [
+                 *         "eu36",
+                 *         {
+                 *           "mannequin": {
+                 *             "preset": "eu40",
+                 *             "waist_cm": 80
+                 *           }
+                 *         }
+                 *       ],
+                 *       "fabrics": [
+                 *         "poplin",
+                 *         "denim-10oz"
+                 *       ]
+                 *     }
+                 */
+                "application/json": {
+                    project_id: string;
+                    /** @description The project's where it is not there */
+                    name?: string;
+                    /** @description Id of the body in the document that those of the sweep replace; the first where it is not there */
+                    body?: string;
+                    /** @description Its rows; the project's own body alone where they are not there */
+                    bodies?: components["schemas"]["SweepBody"][];
+                    /** @description Its columns; as the project is cut where they are not there */
+                    fabrics?: components["schemas"]["SweepFabric"][];
+                    priority?: components["schemas"]["JobPriority"];
+                    tags?: components["schemas"]["Tags"];
+                    /**
+                     * @description drapes although the results of equal drapes would do
+                     * @default false
+                     */
+                    anew?: boolean;
+                };
+            };
+        };
+        responses: {
+            200: components["responses"]["Sweep"];
+            201: components["responses"]["SweepMade"];
+            400: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            415: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            429: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    showSweep: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example s_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["SweepId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["Sweep"];
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    removeSweep: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example s_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["SweepId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It is gone */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    cancelSweep: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example s_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["SweepId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["Sweep"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    sweepTable: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example s_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["SweepId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description A line of names, and one for each cell; a cell without a report has empty fields */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/csv": unknown;
+                };
+            };
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    sweepSheet: {
+        parameters: {
+            query?: {
+                view?: "front" | "side" | "back";
+            };
+            header?: never;
+            path: {
+                /** @example s_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["SweepId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The sheet */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": unknown;
+                };
+            };
+            400: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };
