@@ -127,7 +127,8 @@ solver::ClothFeatures make_features(const DrapeInput& input, const sewing::Assem
           elastics_of(input, assembly, vertex_of),
           folds_of(input, assembly, vertex_of),
           chambers_of(input, assembly, vertex_of, vertex_count),
-          tethers_of(input, assembly, vertex_of, released)};
+          tethers_of(input, assembly, vertex_of, released),
+          {}};
 }
 
 double off_hold(const DrapeInput& input, const sewing::Assembly& assembly, std::size_t a,

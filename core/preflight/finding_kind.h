@@ -54,6 +54,7 @@ enum class FindingKind : std::uint8_t {
   kBegunAnew,
   kGoesOn,
   kFromThePieces,
+  kTouched,
   kGivenUp,
   kMethodWithout,
   kBodyStopped,
