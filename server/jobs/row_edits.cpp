@@ -44,6 +44,7 @@ RowEdit draped(const RunEnd& end) {
   return [&end](store::JobRow& row) {
     if (!row.verdict) row.attempt = 1;  // it has come as far as that: counted anew
     row.verdict = store::JobVerdict{end.succeeded, end.code, end.reason, end.where};
+    if (end.touched) row.input.clear();  // it answers for no other drape
     row.notes = end.notes;
     row.report = end.report;
     row.results = end.results;
@@ -64,6 +65,7 @@ RowEdit ended(const RunEnd& end) {
   return [&end](store::JobRow& row) {
     with_reason(end.code, end.reason, end.where)(row);
     row.verdict.reset();
+    if (end.touched) row.input.clear();
     row.notes = end.notes;
     row.report = end.report;
     row.results = end.results;

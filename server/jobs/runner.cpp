@@ -116,6 +116,7 @@ std::optional<RunEnd> JobRun::through_all_stages(const RunControl& control) {
     const Status draped = drape_on(control);
     if (!draped) return failed(draped.error());
     if (!run_->done()) return std::nullopt;
+    control.hands->close();
     result_ = std::make_shared<const drape::DrapeResult>(run_->conclude());
     read_figures();
     run_.reset();  // the solver's memory is not needed for the rest
@@ -152,6 +153,7 @@ Status JobRun::begin(const RunControl& control) {
   std::unique_ptr<drape::DrapeRun> run = TRY(start_or_resume(context));
   run_ = std::move(run);
   input_ = run_->reduced() ? std::make_shared<const drape::DrapeInput>(run_->input()) : whole_;
+  let_go_of_all();
   const drape::Session& session = run_->session();
   progress_.first_step = checkpoint_step_ = session.steps();
   next_checkpoint_ = later(place_.checkpoint_every);
@@ -177,6 +179,36 @@ Result<std::unique_ptr<drape::DrapeRun>> JobRun::resume(std::string_view bytes, 
   Result<movie::Motion> motion = movie::decode_motion(kept.motion);
   recorder_.emplace(movie::MotionLimits{}, motion ? std::move(*motion) : movie::Motion{});
   return drape::DrapeRun::resume(*whole_, kept.checkpoint, context, &*recorder_);
+}
+
+/// Those who held the cloth before have gone with their streams.
+void JobRun::let_go_of_all() {
+  const std::vector<drape::Grip> pulls = run_->session().hands().pulls;
+  for (const drape::Grip& pull : pulls) {
+    drape::Touch touch;
+    touch.kind = drape::TouchKind::kLetGo;
+    touch.id = pull.id;
+    const Status done = run_->touch(touch);
+    if (!done) context_.log.warn("a hand does not let go", done.error());
+  }
+}
+
+void JobRun::take_touches(TouchInbox& hands) {
+  for (const LiveTouch& wish : hands.take()) {
+    const bool names = wish.epoch != 0 && wish.epoch != epoch_;
+    const Status done =
+        names ? Status(Error{"live.epoch", "the cloth has other triangles by now; look at it again", "",
+                             ErrorKind::kStale})
+              : run_->touch(wish.touch);
+    if (!done && wish.refused) wish.refused(done.error());
+    told_ = {};  // the next figures are told at once
+  }
+}
+
+JobProgress JobRun::touch_where_it_stands(TouchInbox& hands) {
+  if (run_) take_touches(hands);
+  read_figures();
+  return progress_;
 }
 
 /// A store that takes none (its disk is full) is no reason to stop. Keeping takes at most a twentieth of the
@@ -206,13 +238,17 @@ void JobRun::keep_where_it_stands() {
 
 Status JobRun::drape_on(const RunControl& control) {
   while (!run_->done() && !control.interrupt->load(std::memory_order_relaxed)) {
+    take_touches(*control.hands);
     advance_slice(control);
     account(control);
     TRY(check_limits());
     // What it has done since its last checkpoint waits with it in memory.
-    if (!run_->done() && control.make_room()) return {};
+    const bool framed = run_->session().steps() % place_.stream_interval == 0;
+    if (!run_->done() && !control.one_frame && control.make_room()) return {};
+    if (control.one_frame && framed) break;
     if (Clock::now() >= next_checkpoint_) keep_checkpoint(control);
   }
+  if (!run_->done()) tell_where_it_stands(control);
   // The end as well: a crash among models and pictures must cost no step.
   if (control.worth_keeping()) keep_checkpoint(control);
   const drape::Session& session = run_->session();
@@ -253,6 +289,16 @@ void JobRun::read_figures() {
   progress_.seam_gap_mm = mm_from_metres(session.seam_gap());
   progress_.cloth_body = run_->crossings().cloth_body;
   progress_.cloth_cloth = run_->crossings().cloth_cloth;
+  progress_.pulls = static_cast<int>(session.hands().pulls.size());
+  progress_.pins.clear();
+  for (const drape::Grip& pin : session.hands().pins) progress_.pins.push_back({pin.id, pin.goal});
+}
+
+/// Who looks at what is paused sees where it is.
+void JobRun::tell_where_it_stands(const RunControl& control) {
+  told_ = {};
+  const Progress p = run_->session().progress();
+  tell(control, p.phase, p.fraction);
 }
 
 /// A new phase is told at once, the same again only after a while.
@@ -292,6 +338,7 @@ Result<RunEnd> JobRun::deliver_models() {
   store::Store& store = place_.documents->store();
   const std::unique_ptr<TemporaryFolder> folder = TRY(TemporaryFolder::make(store.scratch_folder()));
   RunEnd end = verdict_on(*input_, *result_);
+  end.touched = !result_->touches.empty();
   end.report = exports::report_json(analysis::make_report(*input_, *result_));
   read_pictures_into(end);
   TRY(write_models(*input_, *result_, textures_, folder->path(), true));

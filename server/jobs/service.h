@@ -12,6 +12,7 @@
 #include "server/jobs/figures.h"
 #include "server/jobs/limits.h"
 #include "server/jobs/publisher.h"
+#include "server/jobs/touch_inbox.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
@@ -87,6 +88,14 @@ class JobService {
   virtual Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) = 0;
   virtual Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) = 0;
   virtual Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) = 0;
+
+  /// Lets a paused drape go on to its next streamed frame, or its end, and pauses it again. Gives back the
+  /// job as it runs. Errors: as resume().
+  virtual Result<store::JobRow> step(const store::RequestContext& context, const std::string& id) = 0;
+  /// A hand on the cloth of a drape that runs or is paused; the worker takes it up within 50 ms. Errors:
+  /// store.not_found; jobs.state when it neither runs nor is paused; live.elsewhere while another process
+  /// drapes it; those of TouchInbox::put. What the cloth refuses is told to LiveTouch::refused.
+  virtual Status touch(const store::RequestContext& context, const std::string& id, LiveTouch touch) = 0;
 
   /// Removes a job that has ended, with its results. Errors: store.not_found; jobs.state when it has not
   /// ended; those of the store.

@@ -80,7 +80,7 @@ const newKey = (): string =>
 
 const anew = (): void => location.reload();
 
-const commands = new Commands(state, api, { go, save, newKey, anew }, refresh, (id) => watcher.show(id));
+const commands = new Commands(state, api, { go, save, newKey, anew, say: (word) => stream.say(word) }, refresh, (id) => watcher.show(id));
 
 /** What the page test looks through. */
 const hook = { drawn: 0, firstDrawnMs: 0 };

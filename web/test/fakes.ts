@@ -43,8 +43,14 @@ export class FakeSocket implements Socket {
   onclose: Socket['onclose'] = null;
   onerror: Socket['onerror'] = null;
   closedByUs = false;
+  /** What was said to the service. */
+  sent: unknown[] = [];
 
   constructor(readonly url: string) {}
+
+  send(data: string): void {
+    this.sent.push(JSON.parse(data));
+  }
 
   close(): void {
     this.closedByUs = true;
@@ -81,6 +87,8 @@ export const progressOf = (more: Partial<Progress> = {}): Progress => ({
   cloth_body: 0,
   cloth_cloth: 0,
   step_ms: 0.7,
+  pulls: 0,
+  pins: [],
   ...more,
 });
 

@@ -138,6 +138,11 @@ http::HttpResponse resume(const Api& api, const store::RequestContext& context,
   return changed(api, context, api.jobs.resume(context, request.captures[0]));
 }
 
+http::HttpResponse step(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
+  return changed(api, context, api.jobs.step(context, request.captures[0]));
+}
+
 http::HttpResponse cancel(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
   return changed(api, context, api.jobs.cancel(context, request.captures[0]));
@@ -210,6 +215,7 @@ ApiRoutes job_routes() {
       {.method = "DELETE", .pattern = "/api/v1/jobs/{id}", .handler = remove},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/pause", .handler = pause},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/resume", .handler = resume},
+      {.method = "POST", .pattern = "/api/v1/jobs/{id}/step", .handler = step},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/retry", .handler = retry},
       {.pattern = "/api/v1/jobs/{id}/results", .handler = list_results},

@@ -23,7 +23,7 @@ import type {
   Unit,
 } from './types';
 
-export type JobAction = 'pause' | 'resume' | 'cancel';
+export type JobAction = 'pause' | 'resume' | 'step' | 'cancel';
 
 export interface Api extends SessionApi, LinkApi, PatternUrls {
   projects(): Promise<Project[]>;

@@ -3,7 +3,7 @@
 import type { Api, JobAction } from '../api/Api';
 import { makeDressingApi, type DressingApi } from '../api/dressing';
 import { fetchSample, type Sample } from '../api/samples';
-import type { Job, Project } from '../api/types';
+import type { Job, Project, StreamWord } from '../api/types';
 import type { AppState, View } from '../state/AppState';
 import { loading, ready, valueOf } from '../state/AppState';
 import { isPicture, planIntake, type GivenFile, type IntakePlan } from '../state/intake';
@@ -12,6 +12,7 @@ import type { Fix } from '../state/outcome';
 import { formatRoute, type Route } from '../state/routes';
 import { DressingCommands } from './DressingCommands';
 import { ImportCommands } from './ImportCommands';
+import { LiveCommands } from './LiveCommands';
 import { asApiError, notify, notifyError } from './notices';
 import { PatternCommands } from './PatternCommands';
 import { TextureCommands } from './TextureCommands';
@@ -25,6 +26,8 @@ export interface Surroundings {
   newKey(): string;
   /** Loads the page as for somebody who has just come. */
   anew(): void;
+  /** Says something to the drape that is watched. */
+  say(word: StreamWord): void;
 }
 
 export class Commands {
@@ -32,6 +35,7 @@ export class Commands {
   readonly imports: ImportCommands;
   readonly dressing: DressingCommands;
   readonly textures: TextureCommands;
+  readonly live: LiveCommands;
 
   constructor(
     private readonly state_: AppState,
@@ -45,6 +49,7 @@ export class Commands {
     this.pattern = new PatternCommands(state_, api_, refresh_);
     this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
     this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));
+    this.live = new LiveCommands(state_, (word) => around_.say(word));
     this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);
   }
 

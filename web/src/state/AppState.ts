@@ -11,6 +11,7 @@ import { ComparisonState } from './comparison';
 import { DressingState, type Marks } from './dressing';
 import { EditingState, keepsTheShape, stepText } from './editing';
 import { finishOf, type Finish } from './fabrics';
+import { HandsState } from './hands';
 import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
 import { isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
@@ -83,6 +84,7 @@ export class AppState {
   readonly hovered: Signal<string | null> = signal(null);
   readonly editing = new EditingState();
   readonly dressing = new DressingState();
+  readonly hands = new HandsState();
   /** Of the two drapes that stand side by side. */
   readonly comparison = new ComparisonState();
 
@@ -155,6 +157,14 @@ export class AppState {
     if (job === null || ['body', 'arrange'].includes(this.tab.value)) return true;
     // What failed or was cancelled early has no cloth to show: its pieces stand where it began.
     return (job.state === 'failed' || job.state === 'cancelled') && !this.covered.value && !job.results?.['final.obj'];
+  });
+
+  /** Whether hands reach the cloth that is shown: it drapes, and the way to it is open. */
+  readonly touchable: ReadonlySignal<boolean> = computed(() => {
+    const job = this.job.value;
+    if (!job || this.atHome.value || this.beforeDrape.value || !this.covered.value) return false;
+    const drapes = job.state === 'running' || job.state === 'paused';
+    return drapes && job.progress?.phase !== 'stills' && this.stream.value.state === 'open';
   });
 
   private readonly stepsSince_: ReadonlySignal<readonly EditStep[] | null> = computed(() => {

@@ -787,6 +787,29 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/step": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Let a paused drape go on to its next streamed frame
+         * @description It runs until the next frame, or its end, and is paused again.
+         */
+        post: operations["stepJob"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/cancel": {
         parameters: {
             query?: never;
@@ -2104,6 +2127,20 @@ export interface components {
             cloth_cloth: number;
             /** @description wall time of a substep */
             step_ms: number;
+            /** @description hands that hold the cloth just now */
+            pulls: number;
+            /** @description Points of the cloth that are pinned, in the order in which they were set */
+            pins: components["schemas"]["LivePin"][];
+        };
+        LivePin: {
+            /** @description Its number */
+            pin: number;
+            /** @description m; where it holds the cloth */
+            place: [
+                number,
+                number,
+                number
+            ];
         };
         /** @enum {string} */
         FinalState: "succeeded" | "failed" | "cancelled";
@@ -3754,8 +3791,42 @@ export interface components {
         };
         Control: {
             /** @enum {unknown} */
-            type: "pause" | "resume" | "cancel";
+            type: "pause" | "resume" | "step" | "cancel" | "let_go";
         };
+        Pull: {
+            /** @constant */
+            type: "pull";
+            /** @description of the topology */
+            epoch: number;
+            triangle: number;
+            shares: components["schemas"]["Shares"];
+            /** @description m */
+            to: [
+                number,
+                number,
+                number
+            ];
+        };
+        Pin: {
+            /** @constant */
+            type: "pin";
+            /** @description of the topology */
+            epoch: number;
+            triangle: number;
+            shares: components["schemas"]["Shares"];
+        };
+        Unpin: {
+            /** @constant */
+            type: "unpin";
+            /** @description its number, as progress has it */
+            pin: number;
+        };
+        /** @description Of the triangle's corners, in their order; their sum is 1 */
+        Shares: [
+            number,
+            number,
+            number
+        ];
         EndedJob: components["schemas"]["JobFields"];
         JobProgress: components["schemas"]["ProgressFields"];
     };
@@ -5561,6 +5632,24 @@ export interface operations {
         };
     };
     resumeJob: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["Job"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    stepJob: {
         parameters: {
             query?: never;
             header?: never;
