@@ -1,0 +1,108 @@
+// Hands on the T-shirt while it drapes, in a real browser over the real server: a pull, a pin, single frames, and what the
+// end tells of it. Screenshots are kept in out/e2e. The tests build on each other.
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { before, describe } from 'node:test';
+import { ask, closeAfter, openBrowser, openPage, shoot, shootAll, waitFor, waitForCalm, waitForState } from './browser.mjs';
+import { Service, root } from './service.mjs';
+import { kPatience, steps } from './steps.mjs';
+
+const service = new Service(join(root, 'samples/tshirt'));
+let browser, page, id;
+
+const button = (name) => page.getByRole('button', { name, exact: true });
+const progress = async () => (await ask(page, 'job')).progress;
+const waitForProgress = (holds) => waitFor(page, holds);
+
+/** Where a place in space is seen, as shares of the 3D view: the cloth's middle and its lowest front. */
+const middleOfCanvas = async (dx, dy) => {
+  const box = await page.locator('.scene canvas').boundingBox();
+  return [box.x + box.width * dx, box.y + box.height * dy];
+};
+
+before(
+  async () => {
+    await service.start();
+    browser = await openBrowser();
+  },
+  { timeout: kPatience },
+);
+
+closeAfter(() => browser, service);
+
+describe('hands on the cloth', () => {
+  const it = steps(() => shootAll(browser));
+
+  it('have tools while the T-shirt drapes', async () => {
+    const { jobs } = await (await service.get('/jobs')).json();
+    id = jobs[0].id;
+    page = await openPage(browser, `${service.url}/#/jobs/${id}`);
+    await waitForProgress(() => window.__toile.job()?.progress?.phase === 'drape' || window.__toile.job()?.progress?.phase === 'sew');
+    await button('Pause').click();
+    await waitForState(page, 'paused');
+    await page.keyboard.press('1');
+    await waitForCalm(page);
+    await button('Pull').waitFor();
+    await shoot(page, 'hands-1-paused');
+  });
+
+  it('lets it go on by single frames', async () => {
+    for (let i = 0; i < 2; ++i) {
+      const { step } = await progress();
+      await button('Step').click();
+      await waitFor(page, (before) => window.__toile.job().progress.step > before && window.__toile.job().state === 'paused', step);
+    }
+  });
+
+  it('pull at it, and it follows', async () => {
+    await page.keyboard.press('g');
+    await page.getByText('Drag the cloth.').waitFor();
+    await button('Resume').click();
+    await waitForState(page, 'running');
+    const [x, y] = await middleOfCanvas(0.5, 0.52);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 60, y + 10, { steps: 5 });
+    await page.mouse.move(x + 180, y + 30, { steps: 10 });
+    await waitForProgress(() => window.__toile.job().progress.pulls === 1);
+    const { simulated_s: before } = await progress();
+    await waitFor(page, (from) => window.__toile.job().progress.simulated_s > from + 0.6, before);
+    await shoot(page, 'hands-2-pulled');
+    assert.equal((await progress()).cloth_body, 0);
+    assert.equal((await progress()).cloth_cloth, 0);
+    await page.mouse.up();
+    await waitForProgress(() => window.__toile.job().progress.pulls === 0);
+  });
+
+  it('pin it where it is, and the pin is listed and can be removed', async () => {
+    await button('Pause').click();
+    await waitForState(page, 'paused');
+    await page.keyboard.press('i');
+    const [x, y] = await middleOfCanvas(0.5, 0.6);
+    await page.mouse.click(x, y);
+    await page.mouse.click(x + 40, y);
+    await waitForProgress(() => window.__toile.job().progress.pins.length === 2);
+    await page.getByRole('region', { name: 'Pins' }).getByText('Pin 1').waitFor();
+    await waitForCalm(page);
+    await shoot(page, 'hands-3-pinned');
+    await button('Remove pin 2').click();
+    await waitForProgress(() => window.__toile.job().progress.pins.length === 1);
+    await page.keyboard.press('Escape');
+    await button('Resume').click();
+  });
+
+  it('leave a log at the end, and nothing went through anything', async () => {
+    await waitForState(page, 'succeeded');
+    const report = await (await service.get(`/jobs/${id}/results/report.json`)).json();
+    assert.equal(report.intersections.cloth_body + report.intersections.cloth_cloth, 0);
+    assert.equal(report.intersections.worst_frame.cloth_body + report.intersections.worst_frame.cloth_cloth, 0);
+    assert.ok(report.findings.some((finding) => finding.code === 'live.touched'));
+    const log = await (await service.get(`/jobs/${id}/results/drape.log`)).json();
+    assert.ok(log.touches.length > 5, `${log.touches.length} touches`);
+    assert.deepEqual([...new Set(log.touches.map((one) => one.touch))].sort(), ['let_go', 'pin', 'pull', 'unpin']);
+    await waitForCalm(page);
+    await shoot(page, 'hands-4-end');
+    assert.deepEqual(page.complaints, []);
+  });
+});
