@@ -61,6 +61,8 @@ class DrapeRun {
   const DrapeInput& input() const { return reduced_ ? *reduced_ : given_; }
   bool reduced() const { return reduced_.has_value(); }
   const Session& session() const { return *session_; }
+  /// How the garment hangs by now, for another drape to go on from.
+  warm::HungGarment hung() const;
   /// Of the input and where its pieces stand (core/drape/input_hash.h): what a checkpoint belongs to.
   const std::string& start_hash() const { return start_hash_; }
   /// Crossings at the newest recorded frame.
@@ -71,7 +73,6 @@ class DrapeRun {
   void reduce(std::vector<bool> left_out, DrapeInput reduced);
   Status begin(DrapeStart start, bool on_body);
   Result<bool> go_on(const DrapeStart& start);
-  warm::HungGarment hung() const;
   Status prepare(const RunContext& context);
   Status restore(std::string_view checkpoint, const RunContext& context);
   bool ends_badly() const;

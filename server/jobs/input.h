@@ -37,6 +37,11 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
                                    const std::string& project_id, const JobLimits& limits = {},
                                    const std::string& from = "");
 
+/// The same, from how a garment hangs (warm::encode_hung) that still drapes; empty: from the pieces.
+Result<store::JobRow> row_of_drape_on(documents::Documents& documents, const store::RequestContext& context,
+                                      const std::string& project_id, const JobLimits& limits,
+                                      const std::string& shape);
+
 /// The manifest's account of the job's document and files. Errors: project.*, store.*.
 Result<manifest::Manifest> inputs_of(documents::Documents& documents, const store::RequestContext& context,
                                      const store::JobRow& job);

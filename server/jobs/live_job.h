@@ -7,6 +7,7 @@
 
 #include "server/jobs/publisher.h"
 #include "server/jobs/runner.h"
+#include "server/jobs/shape_wish.h"
 #include "server/jobs/touch_inbox.h"
 #include "server/store/store.h"
 
@@ -32,6 +33,7 @@ struct LiveJob {
   std::shared_ptr<std::atomic<bool>> interrupt = std::make_shared<std::atomic<bool>>(false);
 
   std::shared_ptr<TouchInbox> hands = std::make_shared<TouchInbox>();
+  std::shared_ptr<ShapeWish> shape = std::make_shared<ShapeWish>();
 
   /// This process has the lease, and the drape if there is one.
   bool is_here() const { return context.lease != 0; }

@@ -44,6 +44,8 @@ class QueueingJobService final : public JobService {
   Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> step(const store::RequestContext& context, const std::string& id) override;
+  Result<store::Made<store::JobRow>> go_on(const store::RequestContext& context, const std::string& id,
+                                           const std::string& idempotency_key) override;
   Status touch(const store::RequestContext& context, const std::string& id, LiveTouch touch) override;
   Status remove(const store::RequestContext& context, const std::string& id) override;
   Result<JobProgress> progress(const store::RequestContext& context, const std::string& id) override;
@@ -57,6 +59,7 @@ class QueueingJobService final : public JobService {
   Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
   Status check_queue() const;
+  Result<std::string> shape_now(const LiveJobPtr& job);
   Result<store::Made<store::JobRow>> queue(const store::RequestContext& context, store::JobRow row,
                                            const std::string& idempotency_key, bool anew);
   std::optional<store::JobRow> answered(const Changing& changing, const store::RequestContext& context,

@@ -40,6 +40,13 @@ RowEdit cancelled() {
   };
 }
 
+RowEdit superseded(std::string successor) {
+  return [successor = std::move(successor)](store::JobRow& row) {
+    cancelled()(row);
+    with_reason("superseded", "it was edited while it draped, and goes on as another drape", successor)(row);
+  };
+}
+
 RowEdit draped(const RunEnd& end) {
   return [&end](store::JobRow& row) {
     if (!row.verdict) row.attempt = 1;  // it has come as far as that: counted anew

@@ -205,6 +205,12 @@ void JobRun::take_touches(TouchInbox& hands) {
   }
 }
 
+std::string JobRun::shape() const {
+  if (result_) return warm::encode_hung(result_->hung);
+  const bool hangs = run_ && run_->session().progress().phase == "drape";
+  return hangs ? warm::encode_hung(run_->hung()) : std::string();
+}
+
 JobProgress JobRun::touch_where_it_stands(TouchInbox& hands) {
   if (run_) take_touches(hands);
   read_figures();
@@ -239,6 +245,7 @@ void JobRun::keep_where_it_stands() {
 Status JobRun::drape_on(const RunControl& control) {
   while (!run_->done() && !control.interrupt->load(std::memory_order_relaxed)) {
     take_touches(*control.hands);
+    if (control.shape->is_asked()) control.shape->answer(shape());
     advance_slice(control);
     account(control);
     TRY(check_limits());

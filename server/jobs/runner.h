@@ -21,6 +21,7 @@
 #include "server/jobs/publisher.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/run_end.h"
+#include "server/jobs/shape_wish.h"
 #include "server/jobs/stream.h"
 #include "server/jobs/touch_inbox.h"
 #include "server/jobs/work_clock.h"
@@ -48,6 +49,7 @@ struct RunControl {
   std::function<bool()> abandon;  ///< whether even a finished drape lets go, without its pictures and results
   std::function<bool()> worth_keeping;  ///< whether a drape that lets go will be taken up again
   TouchInbox* hands = nullptr;          ///< what viewers do to the cloth
+  ShapeWish* shape = nullptr;           ///< who wants to go on from how it hangs
   bool one_frame = false;               ///< it lets go after the next streamed frame
   std::function<void(const JobProgress&)> on_progress;  ///< at most about ten times a second
   std::function<void()> on_kept;                        ///< a checkpoint: the drape has come further
@@ -73,6 +75,9 @@ class JobRun {
   /// Does to a drape that waits what viewers want, and gives back its figures then. REQUIRES that nobody goes
   /// on with it.
   JobProgress touch_where_it_stands(TouchInbox& hands);
+  /// How the garment hangs (warm::encode_hung), by now or at the end; empty where it is still put on or sewn.
+  /// REQUIRES that nobody goes on with it.
+  std::string shape() const;
 
  private:
   std::optional<RunEnd> caught(const RunControl& control);

@@ -77,6 +77,7 @@ bool QueueingJobService::work_once(WorkerKind kind) {
   };
   control.worth_keeping = [&] { return !store::is_final(table_.state(*job)); };
   control.hands = job->hands.get();
+  control.shape = job->shape.get();
   control.one_frame = table_.is_stepping(*job);
   control.make_room = [&] { return table_.is_to_make_room(*job, settings_.workers + settings_.max_parked); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };

@@ -162,6 +162,7 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     jobs: async () => [jobOf()],
     job: async () => jobOf(),
     submit: async () => jobOf({ id: 'j_new', state: 'queued', created_ms: 5000 }),
+    goOn: async () => jobOf({ id: 'j_next', state: 'queued', project_revision: 2, created_ms: 6000 }),
     act: async (id, action) => jobOf({ id, state: action === 'pause' ? 'paused' : 'running' }),
     report: missing,
     resultText: missing,

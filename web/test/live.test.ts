@@ -2,15 +2,17 @@
 
 import { PlaneGeometry, Mesh, Raycaster, Vector3 } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { Commands } from '../src/commands/Commands';
 import { LiveCommands } from '../src/commands/LiveCommands';
+import { Watcher } from '../src/commands/Watcher';
 import { JobStream } from '../src/api/JobStream';
 import type { ClothTopology } from '../src/api/frames';
-import type { StreamWord } from '../src/api/types';
+import type { Edit, EditStep, StreamWord } from '../src/api/types';
 import { clothPoint, placeOf } from '../src/scene/clothPoint';
 import { AppState, ready } from '../src/state/AppState';
 import type { ClothPoint } from '../src/state/hands';
 import { timeLeft } from '../src/state/timeLeft';
-import { FakeClock, FakeSocket, jobOf, progressOf, projectOf } from './fakes';
+import { fakeApi, FakeClock, FakeSocket, jobOf, progressOf, projectOf } from './fakes';
 
 /** Two triangles over a unit square. */
 const topology: ClothTopology = {
@@ -161,6 +163,58 @@ describe('a job’s stream', () => {
     sockets[0]!.breakOff();
     stream.say({ type: 'let_go' });
     expect(sockets[0]!.sent).toEqual([{ type: 'unpin', pin: 2 }]);
+  });
+});
+
+describe('an edit while it drapes', () => {
+  const step = (edit: Edit['edit'], created_ms = 5000): EditStep =>
+    ({ number: 1, created_ms, undone: false, edits: [{ edit }] }) as unknown as EditStep;
+  const edited = (...steps: EditStep[]): AppState => {
+    const state = running();
+    state.projects.value = ready([projectOf({ revision: 2 })]);
+    state.editing.history.value = steps;
+    return state;
+  };
+
+  it('goes on warm where cloth may go on hanging, and is asked about elsewhere', () => {
+    expect([running().outdated.value, running().goesOnWarm.value]).toEqual([false, false]);
+    const warm = edited(step('set_fabric'), step('move_point'));
+    expect([warm.outdated.value, warm.goesOnWarm.value]).toEqual([true, true]);
+    warm.progress.value = progressOf({ phase: 'sew' });
+    expect(warm.goesOnWarm.value).toBe(false);
+    const sewn = edited(step('move_point'), step('reverse_seam'));
+    expect([sewn.outdated.value, sewn.goesOnWarm.value]).toEqual([true, false]);
+    expect(edited(step('set_fabric', 10)).goesOnWarm.value).toBe(false); // of before the drape: another was undone
+  });
+
+  it('makes one job of it, and follows there', async () => {
+    const state = edited(step('set_fabric'));
+    const order: string[] = [];
+    const goOn = vi.fn(fakeApi().goOn);
+    const nothing = (): void => undefined;
+    const around = { go: nothing, save: nothing, anew: nothing, say: nothing, newKey: () => 'key', follow: (id: string) => void order.push(id) };
+    const commands = new Commands(state, fakeApi({ goOn }), around, nothing, nothing);
+    await Promise.all([commands.goOn(), commands.goOn()]);
+    expect(goOn.mock.calls).toEqual([['j_1', 'key']]);
+    expect(order).toEqual(['j_next']);
+    expect(state.allJobs.value.map((job) => job.id)).toContain('j_next');
+  });
+
+  it('is followed without losing what is seen, also by who did not make it', () => {
+    const state = running();
+    const stream = { watch: vi.fn(), leave: vi.fn(), poke: vi.fn() };
+    const gone: string[] = [];
+    const watcher = new Watcher(state, fakeApi(), stream, () => undefined, (id) => gone.push(id));
+    state.body.value = ready({ positions: new Float32Array(), triangles: new Uint32Array() } as never);
+    const old = jobOf({ state: 'cancelled', reason_code: 'superseded', reason_where: 'j_next' });
+    watcher.handlers().text({ type: 'ended', ...progressOf({ state: 'cancelled' }), job: old } as never);
+    expect(gone).toEqual(['j_next']);
+    expect(stream.watch).toHaveBeenCalledWith('ws://here/j_next');
+    expect(state.watched.value).toBe('j_next');
+    expect(state.covered.value).toBe(true);
+    expect(state.body.value?.state).toBe('ready');
+    watcher.follow('j_next');
+    expect(stream.watch).toHaveBeenCalledTimes(1);
   });
 });
 

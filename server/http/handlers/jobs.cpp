@@ -156,6 +156,15 @@ http::HttpResponse retry(const Api& api, const store::RequestContext& context,
   return tagged(api, context, *job, tags_before(api, context, request.captures[0]));
 }
 
+/// The edited project in place of what drapes.
+http::HttpResponse go_on(const Api& api, const store::RequestContext& context,
+                         const http::HttpRequest& request) {
+  const Result<store::Made<store::JobRow>> job =
+      api.jobs.go_on(context, request.captures[0], request.header("idempotency-key"));
+  if (!job) return http::problem(job.error());
+  return tagged(api, context, *job, tags_before(api, context, request.captures[0]));
+}
+
 http::HttpResponse remove(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
   const Status removed = api.jobs.remove(context, request.captures[0]);
@@ -218,6 +227,10 @@ ApiRoutes job_routes() {
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/step", .handler = step},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/retry", .handler = retry},
+      {.method = "POST",
+       .pattern = "/api/v1/jobs/{id}/go_on",
+       .handler = go_on,
+       .work = http::Work::kDocument},
       {.pattern = "/api/v1/jobs/{id}/results", .handler = list_results},
       {.pattern = "/api/v1/jobs/{id}/results/{name}", .handler = job_result},
       {.pattern = "/api/v1/jobs/{id}/results/{name}/small",

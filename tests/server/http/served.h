@@ -59,6 +59,10 @@ class ScriptedJobs final : public jobs::JobService {
   Result<store::JobRow> step(const store::RequestContext& context, const std::string& id) override {
     return become(context, id, store::JobState::kQueued);
   }
+  Result<store::Made<store::JobRow>> go_on(const store::RequestContext& context, const std::string& id,
+                                           const std::string& key) override {
+    return retry(context, id, key);
+  }
   Status touch(const store::RequestContext& context, const std::string& id, jobs::LiveTouch touch) override {
     TRY(store_.job(context, id));
     const std::lock_guard lock(touches_mutex_);

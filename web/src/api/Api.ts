@@ -57,6 +57,8 @@ export interface Api extends SessionApi, LinkApi, PatternUrls {
   /** One that has ended, with its results. */
   removeJob(id: string): Promise<void>;
   act(id: string, action: JobAction): Promise<Job>;
+  /** The project as it is by now in place of a drape under way, from how its cloth hangs. */
+  goOn(id: string, key: string): Promise<Job>;
   report(id: string): Promise<Report>;
   resultText(id: string, name: string): Promise<string>;
   body(id: string): Promise<BodyMesh>;
@@ -72,6 +74,14 @@ export interface Api extends SessionApi, LinkApi, PatternUrls {
 const part = encodeURIComponent;
 const kBytes = { 'Content-Type': 'application/octet-stream' };
 const matching = (revision: number): Record<string, string> => ({ 'If-Match': `"${revision}"` });
+
+const keyed = (key: string) => ({ 'Idempotency-Key': key });
+
+const submission = (project_id: string, from?: string): Question<'submitJob'> => ({
+  project_id,
+  priority: 'interactive',
+  ...(from ? { from } : {}),
+});
 
 export function makeApi(http = new Http('/api/v1')): Api {
   const result = (id: string, name: string): string =>
@@ -114,11 +124,9 @@ export function makeApi(http = new Http('/api/v1')): Api {
     },
     jobs: async () => (await http.get<Answer<'listJobs'>>('/jobs?limit=100')).jobs,
     job: (id) => http.get(`/jobs/${part(id)}`),
-    submit: (id, key, from) =>
-      http.post('/jobs', { project_id: id, priority: 'interactive', ...(from ? { from } : {}) } satisfies Question<'submitJob'>, {
-        'Idempotency-Key': key,
-      }),
+    submit: (id, key, from) => http.post('/jobs', submission(id, from), keyed(key)),
     removeJob: async (id) => void (await http.send(`/jobs/${part(id)}`, { method: 'DELETE' })),
+    goOn: (id, key) => http.post(`/jobs/${part(id)}/go_on`, undefined, keyed(key)),
     act: (id, action) => http.post(`/jobs/${part(id)}/${action}`),
     report: (id) => http.get(result(id, 'report.json')),
     resultText: (id, name) => http.text(result(id, name)),

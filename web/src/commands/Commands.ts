@@ -26,6 +26,8 @@ export interface Surroundings {
   newKey(): string;
   /** Loads the page as for somebody who has just come. */
   anew(): void;
+  /** Looks at another drape from where this one is seen. */
+  follow(jobId: string): void;
   /** Says something to the drape that is watched. */
   say(word: StreamWord): void;
 }
@@ -91,6 +93,24 @@ export class Commands {
     } finally {
       submitting.value = false;
     }
+  }
+
+  /** The edited project in place of the drape that is under way: the page follows to it by itself. */
+  async goOn(): Promise<void> {
+    const { job, outdated, submitting } = this.state_;
+    const shown = job.value;
+    if (!shown || !outdated.value || submitting.value) return;
+    submitting.value = true;
+    try {
+      const next = await this.api_.goOn(shown.id, this.around_.newKey());
+      this.state_.putJob(next);
+      this.around_.follow(next.id);
+    } catch (error) {
+      notifyError(this.state_, error);
+    } finally {
+      submitting.value = false;
+    }
+    this.refresh_();
   }
 
   async act(action: JobAction): Promise<void> {

@@ -191,6 +191,7 @@ function Overlay() {
   const state = useAppState();
   const job = state.job.value;
   if (state.atHome.value) return job && <Caption job={job} />;
+  if (state.outdated.value && !state.beforeDrape.value) return <Outdated />;
   if (state.covered.value) return state.since.value && !state.beforeDrape.value ? <Older /> : null;
   if (job) return <WithoutCloth job={job} />;
   return state.route.value.name === 'project' && state.project.value ? <NotDraped /> : null;
@@ -238,6 +239,22 @@ function Older() {
       <button class="plain" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
         {t.common.drapeAgain}
       </button>
+    </div>
+  );
+}
+
+/** The drape under way is of the pattern as it was; what it may go on with by itself is taken over at once. */
+function Outdated() {
+  const state = useAppState();
+  const commands = useCommands();
+  return (
+    <div class="scene-message strip" role="status">
+      <p>{state.goesOnWarm.value ? t.scene.takesOver : t.scene.changed}</p>
+      {!state.goesOnWarm.value && (
+        <button class="plain" disabled={state.submitting.value} onClick={() => void commands.goOn()}>
+          {t.scene.takeOver}
+        </button>
+      )}
     </div>
   );
 }

@@ -167,6 +167,21 @@ export class AppState {
     return drapes && job.progress?.phase !== 'stills' && this.stream.value.state === 'open';
   });
 
+  /** The project was edited since the shown drape, which is still under way, was begun. */
+  readonly outdated: ReadonlySignal<boolean> = computed(() => {
+    const job = this.job.value;
+    const project = this.project.value;
+    return job !== null && project !== null && isActive(job.state) && project.revision > job.project_revision;
+  });
+
+  /** And its cloth, which hangs, may go on hanging after all that was edited. */
+  readonly goesOnWarm: ReadonlySignal<boolean> = computed(() => {
+    const job = this.job.value;
+    if (!job || !this.outdated.value || !this.touchable.value || job.progress?.phase !== 'drape') return false;
+    const steps = this.editing.history.value.filter((step) => step.created_ms > job.created_ms);
+    return steps.length > 0 && steps.every(({ edits }) => edits.every(keepsTheShape));
+  });
+
   private readonly stepsSince_: ReadonlySignal<readonly EditStep[] | null> = computed(() => {
     const job = this.job.value;
     const project = this.project.value;

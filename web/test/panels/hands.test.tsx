@@ -9,9 +9,10 @@ import { PinList } from '../../src/panels/PinList';
 import { StatusBar } from '../../src/panels/StatusBar';
 import { TopBar } from '../../src/panels/TopBar';
 import { HandHint, HandTools } from '../../src/scene/HandTools';
+import { ScenePane } from '../../src/scene/ScenePane';
 import { ready, type AppState } from '../../src/state/AppState';
 import { listenForKeys } from '../../src/tools/keys';
-import { jobOf, progressOf } from '../fakes';
+import { jobOf, progressOf, projectOf } from '../fakes';
 
 let page: Page;
 beforeEach(() => {
@@ -109,5 +110,27 @@ describe('the status line', () => {
     expect(screen.getByText('Time left').parentElement?.textContent).toBe('Time leftabout 6.0 s');
     page.change((state) => (state.progress.value = progressOf({ ...state.progress.value, state: 'paused' })));
     expect(screen.queryByText('Time left')).toBeNull();
+  });
+});
+
+describe('a drape of a pattern that was edited meanwhile', () => {
+  const edit = (kind: string) => (state: AppState): void => {
+    state.projects.value = ready([projectOf({ revision: 2 })]);
+    state.editing.history.value = [{ number: 1, created_ms: 5000, undone: false, edits: [{ edit: kind }] }] as never;
+  };
+  const scene = (): void => page.show(<ScenePane code={new Promise(() => undefined)} drawn={() => undefined} />);
+
+  it('says that the change is taken over', () => {
+    page.change(edit('set_fabric'));
+    scene();
+    expect(screen.getByText(/is taken over while it drapes/)).toBeTruthy();
+    expect(screen.queryByRole('button', { name: 'Go on with the change' })).toBeNull();
+  });
+
+  it('asks where cloth cannot simply hang on', () => {
+    page.change(edit('reverse_seam'));
+    scene();
+    click(screen.getByRole('button', { name: 'Go on with the change' }));
+    expect(page.asked()).toEqual([['goOn']]);
   });
 });

@@ -853,6 +853,31 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/go_on": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Go on with the project as it is by now
+         * @description For edits while a drape is under way. Makes a new job of the project in its present state, which begins with the cloth as it hangs just
+         *     now, cut to the edited pieces (from the pieces where it does not hang yet), and ends this one as cancelled, with the code `superseded` and
+         *     the new job's id as reason_where. Its stream says so in its last message; whoever looks on goes to the new job's stream.
+         */
+        post: operations["goOnJob"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/results": {
         parameters: {
             query?: never;
@@ -2256,7 +2281,9 @@ export interface components {
          *         "seam_gap_mm": 0,
          *         "cloth_body": 0,
          *         "cloth_cloth": 0,
-         *         "step_ms": 1.9
+         *         "step_ms": 1.9,
+         *         "pulls": 0,
+         *         "pins": []
          *       }
          *     }
          */
@@ -5708,6 +5735,34 @@ export interface operations {
             201: components["responses"]["JobMade"];
             404: components["responses"]["Problem"];
             409: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    goOnJob: {
+        parameters: {
+            query?: never;
+            header?: {
+                /**
+                 * @description 1 to 200 printable characters, for a request that may be sent again because its answer got lost. What the
+                 *     first one made is answered with 201, and with 200 from then on.
+                 * @example 5f0c1b9e-7a52-4b0e-9a53-2a0f1f1a7a11
+                 */
+                "Idempotency-Key"?: components["parameters"]["IdempotencyKey"];
+            };
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["JobMade"];
+            201: components["responses"]["JobMade"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            429: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };

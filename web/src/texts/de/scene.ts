@@ -56,6 +56,8 @@ export const scene: Texts['scene'] = {
       hint: 'Klicken Sie auf den Stoff, wo er bleiben soll. Die Nadeln stehen unter Verlauf.',
     },
   },
+  takesOver: 'Die Änderung wird übernommen, während drapiert wird…',
+  takeOver: 'Mit der Änderung weiter',
   why: 'Warum',
   next: 'Sie ist die nächste; sobald ein Rechenplatz frei ist, beginnt sie.',
   inQueue: 'In der Warteschlange',
