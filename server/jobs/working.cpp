@@ -133,7 +133,7 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
         const Status told = table_.tell_work(changing, *job);
         if (!told) job->context.log.warn("work on a paused job not kept", told.error());
       }
-      if (job->stepping) end_step(changing, *job);
+      if (job->stepping && job->state == store::JobState::kRunning) end_step(changing, *job);
       table_.announce(changing, *job);
       if (job->state == store::JobState::kRunning) table_.make_wait(changing, *job);
     }
@@ -144,7 +144,6 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
 /// A step is over: it is paused as before.
 void QueueingJobService::end_step(const Changing& changing, LiveJob& job) {
   table_.set_stepping(changing, job, false);
-  if (job.state != store::JobState::kRunning) return;
   const Status paused = table_.change(changing, job, JobEvent::kPause, uncount);
   if (!paused) return job.context.log.warn("not paused after its step", paused.error());
   if (job.run) job.run->keep_where_it_stands();

@@ -105,4 +105,40 @@ describe('hands on the cloth', () => {
     await shoot(page, 'hands-4-end');
     assert.deepEqual(page.complaints, []);
   });
+
+  it('edit the pattern while it drapes, and the drape goes on from how it hangs', async () => {
+    const { project_id } = await ask(page, 'job');
+    const { id: first } = await service.post('/jobs', { project_id, anew: true, priority: 'interactive' });
+    await page.goto(`${service.url}/#/jobs/${first}`);
+    await waitFor(page, (wanted) => window.__toile.job()?.id === wanted && window.__toile.job().progress?.phase === 'drape', first);
+    await button('Pause').click();
+    await waitForState(page, 'paused');
+    await page.evaluate(() => {
+      window.__lost = 0;
+      const look = () => {
+        if (window.__toile.positions().length === 0) window.__lost += 1;
+        requestAnimationFrame(look);
+      };
+      look();
+    });
+    await page.getByRole('tab', { name: 'Pattern', exact: true }).click();
+    await page.locator('.piece-cloth').first().click();
+    await page.locator('.edge-chips button').first().click();
+    const field = page.getByRole('textbox', { name: /^Length/ }).first();
+    await field.fill(String(Number(await field.inputValue()) + 8));
+    await field.press('Enter');
+    await waitFor(page, (before) => window.__toile.job()?.id !== before, first);
+    await waitForState(page, 'running');
+    await waitFor(page, () => (window.__toile.job().progress?.simulated_s ?? 0) > 0.1);
+    await shoot(page, 'hands-5-edited');
+    assert.equal(await page.evaluate(() => window.__lost), 0, 'the cloth stays in view');
+    const before = await (await service.get(`/jobs/${first}`)).json();
+    const next = await ask(page, 'job');
+    assert.deepEqual([before.state, before.reason_code, before.reason_where], ['cancelled', 'superseded', next.id]);
+    await waitForState(page, 'succeeded');
+    const report = await (await service.get(`/jobs/${next.id}/results/report.json`)).json();
+    assert.equal(report.intersections.worst_frame.cloth_body + report.intersections.worst_frame.cloth_cloth, 0);
+    assert.ok(report.findings.some((finding) => finding.code === 'start.goes_on'), JSON.stringify(report.findings));
+    assert.deepEqual(page.complaints, []);
+  });
 });

@@ -1,7 +1,9 @@
 // Hands on the cloth of jobs under way, and one frame at a time.
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
+#include <thread>
 
 #include "core/drape/hands.h"
 #include "core/manifest/touch_log.h"
@@ -181,6 +183,21 @@ TEST_F(LiveJobs, GoOnByOneFrameAndArePausedAgain) {
   ASSERT_TRUE(service->resume(kOwner, id));
   const std::size_t frames = publisher.log(id).frames.size();
   EXPECT_TRUE(publisher.wait_for_frames(id, frames + 5)) << "a step's end does not hold what is resumed";
+}
+
+TEST_F(LiveJobs, MakeTheirStepAlsoWhereItIsAskedForBeforeTheWorkerHasLetGo) {
+  ASSERT_TRUE(service->start());
+  const std::string id = begun(kEndless);
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_TRUE(service->pause(kOwner, id));
+    ASSERT_TRUE(service->step(kOwner, id)) << "the worker may still have it";
+    ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kPaused));
+    for (int look = 0; look < 6000 && row(id).state != store::JobState::kPaused; ++look)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_EQ(row(id).state, store::JobState::kPaused) << "it ran on, round " << i;
+    ASSERT_TRUE(service->resume(kOwner, id));
+    ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kRunning));
+  }
 }
 
 TEST_F(LiveJobs, MakeNoStepWhereTheyAreNotPaused) {
