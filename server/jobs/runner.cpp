@@ -181,42 +181,6 @@ Result<std::unique_ptr<drape::DrapeRun>> JobRun::resume(std::string_view bytes, 
   return drape::DrapeRun::resume(*whole_, kept.checkpoint, context, &*recorder_);
 }
 
-/// Those who held the cloth before have gone with their streams.
-void JobRun::let_go_of_all() {
-  const std::vector<drape::Grip> pulls = run_->session().hands().pulls;
-  for (const drape::Grip& pull : pulls) {
-    drape::Touch touch;
-    touch.kind = drape::TouchKind::kLetGo;
-    touch.id = pull.id;
-    const Status done = run_->touch(touch);
-    if (!done) context_.log.warn("a hand does not let go", done.error());
-  }
-}
-
-void JobRun::take_touches(TouchInbox& hands) {
-  for (const LiveTouch& wish : hands.take()) {
-    const bool names = wish.epoch != 0 && wish.epoch != epoch_;
-    const Status done =
-        names ? Status(Error{"live.epoch", "the cloth has other triangles by now; look at it again", "",
-                             ErrorKind::kStale})
-              : run_->touch(wish.touch);
-    if (!done && wish.refused) wish.refused(done.error());
-    told_ = {};  // the next figures are told at once
-  }
-}
-
-std::string JobRun::shape() const {
-  if (result_) return warm::encode_hung(result_->hung);
-  const bool hangs = run_ && run_->session().progress().phase == "drape";
-  return hangs ? warm::encode_hung(run_->hung()) : std::string();
-}
-
-JobProgress JobRun::touch_where_it_stands(TouchInbox& hands) {
-  if (run_) take_touches(hands);
-  read_figures();
-  return progress_;
-}
-
 /// A store that takes none (its disk is full) is no reason to stop. Keeping takes at most a twentieth of the
 /// time.
 void JobRun::keep_checkpoint(const RunControl& control) {
@@ -299,13 +263,6 @@ void JobRun::read_figures() {
   progress_.pulls = static_cast<int>(session.hands().pulls.size());
   progress_.pins.clear();
   for (const drape::Grip& pin : session.hands().pins) progress_.pins.push_back({pin.id, pin.goal});
-}
-
-/// Who looks at what is paused sees where it is.
-void JobRun::tell_where_it_stands(const RunControl& control) {
-  told_ = {};
-  const Progress p = run_->session().progress();
-  tell(control, p.phase, p.fraction);
 }
 
 /// A new phase is told at once, the same again only after a while.
