@@ -50,6 +50,35 @@ void fields(Archive& a, MotionState& motion) {
   a.value(motion.tight);
 }
 
+template <typename Archive>
+void fields(Archive& a, TouchedPoint& at) {
+  a.value(at.triangle);
+  for (double& share : at.share) a.value(share);
+}
+
+template <typename Archive>
+void fields(Archive& a, std::vector<Grip>& grips) {
+  a.list(grips, 80, [&](Grip& grip) {
+    a.value(grip.id);
+    fields(a, grip.at);
+    a.value(grip.wanted);
+    a.value(grip.goal);
+  });
+}
+
+template <typename Archive>
+void fields(Archive& a, HandsState& hands) {
+  fields(a, hands.pulls);
+  fields(a, hands.pins);
+  a.list(hands.log, 61, [&](Touch& touch) {
+    a.value(touch.step);
+    a.value(touch.kind);
+    a.value(touch.id);
+    fields(a, touch.at);
+    a.value(touch.target);
+  });
+}
+
 /// Every field in its order, for writing and for reading alike, so that the two cannot disagree.
 template <typename Archive>
 void fields(Archive& a, RunState& run) {
@@ -92,6 +121,7 @@ void fields(Archive& a, RunState& run) {
   a.value(s.probe.failed);
   a.value(s.probe.from);
   fields(a, s.motion);
+  fields(a, s.hands);
   a.value(s.paper.positions);
   a.value(s.paper.previous);
   a.value(s.paper.bent);
@@ -159,6 +189,13 @@ bool sound(const MotionState& m, std::size_t vertices) {
          (m.tight == kNone || (m.tight >= 0 && static_cast<std::size_t>(m.tight) < vertices));
 }
 
+/// Whether it is of this garment is for the Session to say.
+bool sound(const HandsState& hands) {
+  return std::all_of(hands.log.begin(), hands.log.end(), [](const Touch& touch) {
+    return touch.kind <= TouchKind::kUnpin && touch.step >= 0 && touch.step <= kMostSteps;
+  });
+}
+
 bool sound(const SessionState& s) {
   const std::size_t of_solver = s.solver.positions.size();
   const std::size_t of_paper = s.paper.positions.size(), n = of_solver + of_paper;
@@ -170,8 +207,8 @@ bool sound(const SessionState& s) {
          all_times(s.time, s.begun, s.phase_start + kLongestRamp, s.last_weld, s.solver.pace.learnt) &&
          s.solver.velocities.size() == of_solver && sound_contacts(s.solver.contacts, of_solver) &&
          sound_bounds(s.solver) && sound(s.probe, of_solver) && sound(s.motion, of_solver) &&
-         s.watch.window_start.size() == n && s.watch.mark.size() == n && sound_ways(s.watch.ways, n) &&
-         s.watch.rms.size() <= SettleState::kMostWindows &&
+         sound(s.hands) && s.watch.window_start.size() == n && s.watch.mark.size() == n &&
+         sound_ways(s.watch.ways, n) && s.watch.rms.size() <= SettleState::kMostWindows &&
          s.watch.rates.size() <= SettleState::kMostWindows && all_speeds(s.watch.rates) &&
          all_speeds(s.off_at_release) && all_speeds(s.watch.rms) &&
          all_speeds({s.watch.max_speed, s.watch.drift, s.watch.usual_drift}) &&

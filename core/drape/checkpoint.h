@@ -23,6 +23,7 @@
 #include "core/drape/rest_probe.h"
 #include "core/drape/settle.h"
 #include "core/drape/stop_reason.h"
+#include "core/drape/touch.h"
 #include "core/paper/paper_cloth.h"
 #include "core/solver/cloth_solver.h"
 
@@ -30,7 +31,7 @@ namespace toile::drape {
 
 /// Rises when the fields change, and whenever a change of the engine gives a drape other bytes: a drape begun
 /// by one engine and ended by another would be neither's.
-inline constexpr std::uint32_t kCheckpointVersion = 20;
+inline constexpr std::uint32_t kCheckpointVersion = 22;
 
 enum class DrapePhase : std::uint8_t { kSew, kDrape, kDone };
 
@@ -57,6 +58,7 @@ struct SessionState {
   solver::SolverState solver;
   ProbeState probe;
   MotionState motion;
+  HandsState hands;
   paper::PaperState paper;  ///< in place of the solver's, of a drape by that method
 };
 

@@ -8,6 +8,7 @@
 #include "core/base/types.h"
 #include "core/body/body.h"
 #include "core/drape/stop_reason.h"
+#include "core/drape/touch.h"
 #include "core/preflight/finding.h"
 #include "core/sewing/garment_mesh.h"
 #include "core/warm/hung_garment.h"
@@ -82,6 +83,7 @@ struct DrapeResult {
   Worn worn = Worn::kNobody;
   std::vector<HoldFigures> holds;  ///< one for each attachment
   std::vector<body::Body> bodies;  ///< of the input, as they stand at the end
+  std::vector<Touch> touches;      ///< of hands on the cloth, in their order
   warm::HungGarment hung;          ///< for another drape to go on from
 
   bool settled() const { return stop_reason.kind == Stop::kSettled; }

@@ -179,8 +179,11 @@ std::vector<solver::constraints::HeldVertex> DrapeSession::held_now() const {
 }
 
 solver::ClothFeatures DrapeSession::features_now() const {
-  return make_features(input_, assembly_, vertex_of_, solver_->model().vertex_count(), released_,
-                       motion_.has_begun() ? std::nullopt : wearer_);
+  solver::ClothFeatures features =
+      make_features(input_, assembly_, vertex_of_, solver_->model().vertex_count(), released_,
+                    motion_.has_begun() ? std::nullopt : wearer_);
+  features.leashes = leashes_now();
+  return features;
 }
 
 bool DrapeSession::dynamic() const { return input_.settings.mode == DrapeMode::kDynamic; }
@@ -190,13 +193,14 @@ double DrapeSession::time_of_full_gravity() const { return phase_start_ + (dynam
 solver::StepForces DrapeSession::forces_now() const {
   solver::StepForces forces;
   const double since = time_ - phase_start_;
+  forces.learns = !hands_.pulling();  // what they stretch is to come back
   if (phase_ == Phase::kSew) {
     forces.gravity = 0;
     // What is on already keeps its hold on the body: tight cloth would ride up to where the body is slimmer,
     // and straps down the shoulders' slopes.
     forces.friction = began_ == Began::kDressed ? 1 : 0;
     forces.restitution = 0;
-    forces.learns = began_ != Began::kDressed;
+    forces.learns &= began_ != Began::kDressed;
     forces.damping = kSewDamping;
     forces.stitch_length = std::max(0.0, 1 - since / sew_time());
     forces.features = {forces.stitch_length, 0, false};
@@ -230,6 +234,7 @@ void DrapeSession::come_back_to_shape() {
 void DrapeSession::step() {
   TOILE_CHECK(phase_ != Phase::kDone);
   come_back_to_shape();
+  lead_by_hands();
   if (motion_.is_going()) move_bodies();
   const solver::StepForces forces = forces_now();
   const solver::StepReport report = solver_->step(forces);
@@ -250,6 +255,7 @@ void DrapeSession::sew_or_weld() {
   if (since < sew_time()) return;
   const double gap = solver::constraints::largest_gap(solver_->stitches(), solver_->positions());
   const bool shut = gap <= kSeamShut && open_button().excess <= kSeamShut;
+  if (!shut && hands_.pulling()) return;  // it may be the hand that keeps it open
   if (!shut && slackened_ < kMostSlackened && since >= sew_time() + kJamTime) {
     ++slackened_;
     phase_start_ = time_ - (1 - kSlack) * sew_time();
@@ -306,7 +312,7 @@ void DrapeSession::weld_what_closed() {
 void DrapeSession::settle_or_stop() {
   if (motion_.is_going()) return;
   weld_what_closed();
-  bool holding = false;
+  bool holding = hands_.pulling();
   for (std::size_t a = 0; a < released_.size(); ++a) {
     const double after = input_.attachments[a].release_after;
     if (released_[a] || after < 0) continue;
@@ -319,7 +325,7 @@ void DrapeSession::settle_or_stop() {
     watch_.restart(solver_->positions());
   }
   if (dynamic() && time_ >= time_of_full_gravity() && begins_to_move()) return;
-  const bool out_of_time = time_ >= begun_ + input_.settings.max_time;
+  const bool out_of_time = time_ >= begun_ + input_.settings.max_time && !waits_for_hands();
   const double calm = is_let_go_first() && !out_of_time ? kSeemingCalm : 1;  // no time is left to let it go
   const bool may_rest =
       input_.settings.until_settled && !holding && time_ >= phase_start_ + kSoonestRest && lies_still(calm);

@@ -13,6 +13,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "core/drape/garment_crossings.h"
+#include "core/drape/hands.h"
 #include "core/drape/rest_probe.h"
 #include "core/drape/session.h"
 #include "core/drape/settle.h"
@@ -43,7 +44,11 @@ class DrapeSession : public Session {
 
   void step() override;
   void begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) override;
-  bool may_begin_anew() const override { return true; }
+  /// Not once hands have been on it: where it hangs then is what they wanted.
+  bool may_begin_anew() const override { return hands_.untouched(); }
+
+  Status touch(const Touch& touch) override;
+  const HandsState& hands() const override { return hands_.state(); }
 
   SessionState state() const override;
   Status restore(SessionState state) override;
@@ -98,6 +103,9 @@ class DrapeSession : public Session {
   double time_of_full_gravity() const;
   bool dynamic() const;
   void let_go_of_timed_holds();
+  void lead_by_hands();
+  std::vector<solver::constraints::Leash> leashes_now() const;
+  bool waits_for_hands() const;
   solver::constraints::OpenTie open_button() const;
   bool lies_still(double calm) const;
   void let_go();
@@ -127,6 +135,7 @@ class DrapeSession : public Session {
   SettleWatch watch_;
   RestProbe probe_;
   BodyMotion motion_;
+  Hands hands_;
   bool bodies_moved_ = false;  ///< since crossings were counted last
   int steps_ = 0;
   double time_ = 0, begun_ = 0, phase_start_ = 0, last_weld_ = 0;

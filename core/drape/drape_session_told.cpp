@@ -16,17 +16,31 @@ SessionState DrapeSession::state() const {
   for (std::size_t i = 0; i < joined.size(); ++i) {
     joined[i] = vertex_of_[i] == vertex_of_[assembly_.garment.weld[i]];
   }
-  return {phase_,          began_,          lost_,
-          stop_reason_,    steps_,          time_,
-          begun_,          phase_start_,    last_weld_,
-          slackened_,      joined,          released_,
-          off_at_release_, watch_.state(),  solver_->state(),
-          probe_.state(),  motion_.state(), {}};
+  return {phase_,
+          began_,
+          lost_,
+          stop_reason_,
+          steps_,
+          time_,
+          begun_,
+          phase_start_,
+          last_weld_,
+          slackened_,
+          joined,
+          released_,
+          off_at_release_,
+          watch_.state(),
+          solver_->state(),
+          probe_.state(),
+          motion_.state(),
+          hands_.state(),
+          {}};
 }
 
 Status DrapeSession::restore(SessionState state) {
   if (state.joined.size() != vertex_of_.size() || state.lost.size() != lost_.size() ||
-      state.released.size() != released_.size() || state.off_at_release.size() != released_.size()) {
+      !is_sound(state.hands, assembly_.garment) || state.released.size() != released_.size() ||
+      state.off_at_release.size() != released_.size()) {
     return damaged_checkpoint();
   }
   const Weld weld = joined_as(assembly_.garment, state.joined);
@@ -40,6 +54,7 @@ Status DrapeSession::restore(SessionState state) {
   lost_ = state.lost;
   released_ = state.released;
   off_at_release_ = state.off_at_release;
+  hands_.restore(std::move(state.hands));
   build_solver(model_of(vertex_of_, weld.vertex_count), state.solver.positions, {});
   solver_->set_stitches(stitches_now());
   watch_.restore(std::move(state.watch));

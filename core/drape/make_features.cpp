@@ -135,7 +135,8 @@ solver::ClothFeatures make_features(const DrapeInput& input, const sewing::Assem
           chambers_of(input, assembly, vertex_of, vertex_count),
           tethers_of(input, assembly, vertex_of, released),
           wearer ? make_shoulder_holds(assembly, wearer->figure, vertex_of, vertex_count)
-                 : std::vector<solver::constraints::ShoulderHold>{}};
+                 : std::vector<solver::constraints::ShoulderHold>{},
+          {}};
 }
 
 double off_hold(const DrapeInput& input, const sewing::Assembly& assembly, std::size_t a,

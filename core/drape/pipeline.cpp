@@ -296,6 +296,7 @@ int DrapeRun::advance(int max_steps, const RunContext& context) {
       begin_anew(context);
       continue;
     }
+    touch_again();
     session_->step();
     ++taken;
     if (session_->done() || session_->lost_seams()) ended_badly_ = ends_badly();
@@ -389,6 +390,8 @@ DrapeResult DrapeRun::conclude() {
         "the garment was draped from its pieces, not from how it hung before: " + from_the_pieces_, {}, {}));
   if (!begun_anew_.empty())
     result.findings.push_back(preflight::found(preflight::FindingKind::kBegunAnew, begun_anew_, {}, {}));
+  result.touches = session_->hands().log;
+  tell_touches(result);
   preflight::sort_by_severity(result.findings);
   result.holds = session_->holds();
   result.hung = hung();

@@ -40,6 +40,13 @@ class DrapeRun {
   /// The drape as it stands between two goes (core/drape/checkpoint.h), for resume().
   std::string checkpoint() const;
 
+  /// A hand on the cloth, between two goes (core/drape/hands.h). Errors: those of Session::touch; live.busy
+  /// while the garment is about to begin anew.
+  Status touch(const Touch& touch);
+  /// Does those touches again, each after the step that it came after: with the same input, the drape ends in
+  /// the same bytes. Errors: those of check_touches; live.method. REQUIRES that no step was made.
+  Status replay(std::vector<Touch> touches);
+
   bool done() const { return session_->done() && !ended_badly_; }
   /// At most `max_steps` substeps: fewer when the drape is done or the context is cancelled before. Where
   /// seams do not close, or the garment does not end where it is worn, it begins anew from the next certified
@@ -54,6 +61,8 @@ class DrapeRun {
   const DrapeInput& input() const { return reduced_ ? *reduced_ : given_; }
   bool reduced() const { return reduced_.has_value(); }
   const Session& session() const { return *session_; }
+  /// How the garment hangs by now, for another drape to go on from.
+  warm::HungGarment hung() const;
   /// Of the input and where its pieces stand (core/drape/input_hash.h): what a checkpoint belongs to.
   const std::string& start_hash() const { return start_hash_; }
   /// Crossings at the newest recorded frame.
@@ -64,7 +73,6 @@ class DrapeRun {
   void reduce(std::vector<bool> left_out, DrapeInput reduced);
   Status begin(DrapeStart start, bool on_body);
   Result<bool> go_on(const DrapeStart& start);
-  warm::HungGarment hung() const;
   Status prepare(const RunContext& context);
   Status restore(std::string_view checkpoint, const RunContext& context);
   bool ends_badly() const;
@@ -74,6 +82,8 @@ class DrapeRun {
   void tell_motion(DrapeResult& result) const;
   void tell_held(DrapeResult& result) const;
   void record_frame();
+  void touch_again();
+  void tell_touches(DrapeResult& result) const;
 
   const DrapeInput& given_;
   std::optional<DrapeInput> reduced_;
@@ -92,7 +102,9 @@ class DrapeRun {
   bool ended_badly_ = false;                                         ///< another start is to be tried
   std::string from_the_pieces_;  ///< why it does not go on from another's end
   warm::HungGarment pieces_;     ///< flat
-  std::string begun_anew_;       ///< why the newest was; empty while it is the first
+  std::vector<Touch> to_replay_;
+  std::size_t replayed_ = 0;  ///< of them
+  std::string begun_anew_;    ///< why the newest was; empty while it is the first
 };
 
 /// Drapes `input` in one go, without what cannot be put on and returns the end, settled or not. `sink` may be

@@ -13,6 +13,7 @@
 #include "core/drape/drape_input.h"
 #include "core/drape/drape_result.h"
 #include "core/drape/stop_reason.h"
+#include "core/drape/touch.h"
 #include "core/sewing/assembly.h"
 
 namespace toile::drape {
@@ -30,6 +31,12 @@ class Session {
   virtual void begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) = 0;
   /// Whether another start is tried where this one leads to open seams or to a garment that is not worn.
   virtual bool may_begin_anew() const = 0;
+
+  /// A hand on the cloth, before the next step; its own step does not count. Errors: those of Hands::take;
+  /// live.over where the drape is done, live.method where its method takes no hands. REQUIRES no step under
+  /// way.
+  virtual Status touch(const Touch& touch);
+  virtual const HandsState& hands() const;
 
   /// All that the session must remember, for restore().
   virtual SessionState state() const = 0;

@@ -48,6 +48,7 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTable{{
     {kBegunAnew, "start.begun_anew", kNote, kNote, kPlacement, false},
     {kGoesOn, "start.goes_on", kNote, kNote, kPlacement, false},
     {kFromThePieces, "start.from_the_pieces", kNote, kNote, kPlacement, false},
+    {kTouched, "live.touched", kNote, kNote, kPlacement, false},
     {kGivenUp, "start.given_up", kWarning, kWarning, kPattern, false},
     {kMethodWithout, "method.without", kWarning, kWarning, kPattern, false},
     {kBodyStopped, "body.stopped", kWarning, kWarning, kPattern, false},

@@ -55,6 +55,7 @@ enum class FindingKind : std::uint8_t {
   kBegunAnew,
   kGoesOn,
   kFromThePieces,
+  kTouched,
   kGivenUp,
   kMethodWithout,
   kBodyStopped,

@@ -16,6 +16,7 @@ void solve_features(const ClothFeatures& features, const FeatureProgress& progre
   constraints::solve_ties(features.ties, progress.open, w, h, x);
   constraints::solve_tethers(features.tethers, progress.open, w, h, x);
   constraints::solve_shoulder_holds(features.shoulders, w, h, x);
+  constraints::solve_leashes(features.leashes, w, h, x);
 }
 
 }  // namespace toile::solver

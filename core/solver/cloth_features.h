@@ -1,6 +1,6 @@
 #pragma once
 // What a garment may have besides cloth, seams and contact: air around it, buttons, elastic, creases, air
-// inside. All of it is derived from the input and keeps no state of its own.
+// inside, hands. All of it is derived from the input, or told (hands), and keeps no state of its own.
 
 #include <span>
 #include <vector>
@@ -9,6 +9,7 @@
 #include "core/solver/constraints/button.h"
 #include "core/solver/constraints/elastic.h"
 #include "core/solver/constraints/fold.h"
+#include "core/solver/constraints/leash.h"
 #include "core/solver/constraints/pressure.h"
 #include "core/solver/constraints/shoulder_hold.h"
 #include "core/solver/constraints/tether.h"
@@ -24,6 +25,7 @@ struct ClothFeatures {
   std::vector<constraints::PressureChamber> chambers;
   std::vector<constraints::Tether> tethers;
   std::vector<constraints::ShoulderHold> shoulders;
+  std::vector<constraints::Leash> leashes;
 };
 
 /// How far features have come in a step.

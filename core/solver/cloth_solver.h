@@ -61,6 +61,8 @@ class ClothSolver {
   /// there.
   void set_holds(std::vector<constraints::HeldVertex> held);
   void set_features(ClothFeatures features) { features_ = std::move(features); }
+  /// Replaces those of the features, which stay otherwise.
+  void set_leashes(std::vector<constraints::Leash> leashes) { features_.leashes = std::move(leashes); }
   void set_velocities(std::vector<Vec3> velocities) { velocity_ = std::move(velocities); }
 
   /// Obstacles were moved between two steps, without touching cloth: what was measured among them is void.

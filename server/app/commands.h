@@ -18,6 +18,7 @@ struct DrapeOptions {
   std::string project;  ///< path of the document
   std::string out;      ///< folder for the results
   std::string from;     ///< final.hung of another drape, or the folder where it lies; empty: from the pieces
+  std::string replay;   ///< drape.log, whose hands are on the cloth again; empty: none
   bool check_data = false;
   std::string trace;    ///< path; empty: no trace
   int trace_every = 1;  ///< frames

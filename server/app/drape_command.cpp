@@ -172,6 +172,12 @@ Status deliver_manifest(manifest::Manifest manifest, const drape::DrapeResult& r
 ExitCode drape_command(const DrapeOptions& options) {
   Result<ReadyProject> ready = read_to_drape(options.project, options.from);
   if (!ready) return fail(ready.error(), options.json);
+  std::vector<drape::Touch> touches;
+  if (!options.replay.empty()) {
+    auto read = read_touches(options.replay);
+    if (!read) return fail(read.error(), options.json);
+    touches = std::move(*read);
+  }
   resolve::ResolvedProject& read = ready->read;
   if (const auto textures = resolve::read_textures(read); !textures)
     return fail(textures.error(), options.json);  // before the time of a drape is spent
@@ -180,7 +186,7 @@ ExitCode drape_command(const DrapeOptions& options) {
   if (!trace) return fail(trace.error(), options.json);
 
   Recorders recorders(trace->get());
-  const Result<drape::DrapeResult> result = drape_once(read.input, recorders);
+  const Result<drape::DrapeResult> result = drape_once(read.input, recorders, std::move(touches));
   if (!result) return fail(result.error(), options.json);
   if (*trace) {
     if (Status traced = (*trace)->finish(); !traced) return fail(traced.error(), options.json);

@@ -10,6 +10,8 @@
 #include "core/base/read_file.h"
 #include "core/drape/pipeline.h"
 #include "core/drape/worn_part.h"
+#include "core/json/tree.h"
+#include "core/manifest/touch_log.h"
 #include "server/app/engine_id.h"
 #include "server/app/interrupt.h"
 #include "server/app/mesh_reader.h"
@@ -69,12 +71,24 @@ Result<ReadyProject> read_to_drape(const std::string& path, const std::string& f
   return ready;
 }
 
-Result<drape::DrapeResult> drape_once(drape::DrapeInput& input, drape::FrameSink& sink) {
+Result<std::vector<drape::Touch>> read_touches(const fs::path& path) {
+  const std::optional<std::string> text = read_file(path);
+  if (!text) return Error{"usage.replay", "cannot read the log of hands on the cloth", path.string()};
+  Result<std::vector<drape::Touch>> touches = manifest::parse_touch_log(*text);
+  if (!touches) return json::error_at(path.string(), touches.error());
+  return touches;
+}
+
+Result<drape::DrapeResult> drape_once(drape::DrapeInput& input, drape::FrameSink& sink,
+                                      std::vector<drape::Touch> touches) {
   ProgressBar bar;
   RunContext context;
   context.cancel = &cancel_on_interrupt();
   context.on_progress = [&](const Progress& progress) { bar.show(progress); };
   Result<std::unique_ptr<drape::DrapeRun>> run = drape::DrapeRun::start(input, context, &sink);
+  if (run) {
+    if (const Status fits = (*run)->replay(std::move(touches)); !fits) run = fits.error();
+  }
   if (run) (*run)->advance(std::numeric_limits<int>::max(), context);
   bar.clear();
   if (!run && run.error().kind == ErrorKind::kCancelled) return drape::DrapeResult{};

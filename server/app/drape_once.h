@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/drape/drape_result.h"
 #include "core/drape/frame_sink.h"
+#include "core/drape/touch.h"
 #include "core/image/texture.h"
 #include "core/manifest/manifest.h"
 #include "core/project/resolve/resolve.h"
@@ -27,8 +29,13 @@ struct ReadyProject {
 /// hung.* and those of the files.
 Result<ReadyProject> read_to_drape(const std::string& path, const std::string& from);
 
-/// Drapes with a bar of progress, until the end or Ctrl-C. What cannot be put on is left out of `input`, too.
-/// No positions where it was cancelled before there was any cloth.
-Result<drape::DrapeResult> drape_once(drape::DrapeInput& input, drape::FrameSink& sink);
+/// The touches that a drape.log has. Errors: usage.replay (it cannot be read), log.damaged.
+Result<std::vector<drape::Touch>> read_touches(const std::filesystem::path& path);
+
+/// Drapes with a bar of progress, until the end or Ctrl-C, with `touches` at their steps. What cannot be put
+/// on is left out of `input`, too. No positions where it was cancelled before there was any cloth. Errors:
+/// those of drape::drape and of DrapeRun::replay.
+Result<drape::DrapeResult> drape_once(drape::DrapeInput& input, drape::FrameSink& sink,
+                                      std::vector<drape::Touch> touches = {});
 
 }  // namespace toile::app

@@ -59,6 +59,8 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
                  "Also write rest.obj, body.obj and sewn.json for checks by other programs");
   verb->add_option("--from", options.drape.from,
                    "Go on from how the garment hung at the end of another drape: its folder, or final.hung");
+  verb->add_option("--replay", options.drape.replay,
+                   "Hands that were on the cloth of another drape of this project: its drape.log");
   CLI::Option* trace = verb->add_option("--trace", options.drape.trace,
                                         "Keep the drape's frames in this file (proto/trace.md)");
   verb->add_option("--trace-every", options.drape.trace_every, "Keep every N-th frame only")

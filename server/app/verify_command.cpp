@@ -17,6 +17,7 @@
 #include "core/base/units.h"
 #include "core/json/tree.h"
 #include "core/manifest/manifest.h"
+#include "core/manifest/touch_log.h"
 #include "core/warm/hung_garment.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
@@ -112,7 +113,10 @@ Result<SecondDrape> drape_again(ReadyProject& ready, const Verdict& verdict, con
   const image::Textures early = TRY(resolve::read_textures(ready.read));  // before the time is spent
   movie::FilmRecorder film;
   drape::DrapeInput& input = ready.read.input;
-  const drape::DrapeResult result = TRY(drape_once(input, film));
+  std::vector<drape::Touch> touches;
+  if (names(verdict.then.results, manifest::kTouchLogFile))
+    touches = TRY(read_touches(folder / manifest::kTouchLogFile));
+  const drape::DrapeResult result = TRY(drape_once(input, film, std::move(touches)));
   if (result.positions.empty() || result.stop_reason.kind == drape::Stop::kCancelled)
     return Error{"cancelled", "the second drape was not ended", "", ErrorKind::kCancelled};
   const image::Textures textures = TRY(resolve::read_textures(ready.read));  // of what was draped

@@ -86,6 +86,15 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
   return row;
 }
 
+Result<store::JobRow> row_of_drape_on(documents::Documents& documents, const store::RequestContext& context,
+                                      const std::string& project_id, const JobLimits& limits,
+                                      const std::string& shape) {
+  store::JobRow row = TRY(row_of_drape(documents, context, project_id, limits));
+  if (!shape.empty())
+    row.files[kShapeFile] = TRY(documents::add_asset(documents, context, "shape", kShapeFile, shape)).id;
+  return row;
+}
+
 Result<manifest::Manifest> inputs_of(documents::Documents& documents, const store::RequestContext& context,
                                      const store::JobRow& job) {
   const project::Project project = TRY(project::parse_project(job.document));

@@ -40,6 +40,10 @@ Result<store::JobRow> row_of_drape(documents::Documents& documents, const store:
 /// The same of a project that need not be kept: in other fabrics, on another body.
 Result<store::JobRow> row_of_project(documents::Documents& documents, const store::RequestContext& context,
                                      const store::ProjectRow& project, const JobLimits& limits);
+/// The same, from how a garment hangs (warm::encode_hung) that still drapes; empty: from the pieces.
+Result<store::JobRow> row_of_drape_on(documents::Documents& documents, const store::RequestContext& context,
+                                      const std::string& project_id, const JobLimits& limits,
+                                      const std::string& shape);
 
 /// The manifest's account of the job's document and files. Errors: project.*, store.*.
 Result<manifest::Manifest> inputs_of(documents::Documents& documents, const store::RequestContext& context,

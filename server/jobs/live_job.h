@@ -7,6 +7,8 @@
 
 #include "server/jobs/publisher.h"
 #include "server/jobs/runner.h"
+#include "server/jobs/shape_wish.h"
+#include "server/jobs/touch_inbox.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
@@ -22,12 +24,16 @@ struct LiveJob {
   store::JobState state = store::JobState::kQueued;
   bool held = false;         ///< a worker has it
   bool suspect = false;      ///< may have crashed its holder: runs alone until it has come further
+  bool stepping = false;     ///< it runs to its next frame only
   bool wanted_away = false;  ///< another process has paused it: its lease is to be given up
   JobProgress progress;      ///< as the worker told it last
   std::chrono::steady_clock::time_point waits_since;  ///< when it came to stand in the queue last
   std::unique_ptr<JobRun> run;                        ///< begun, maybe parked
   double worked_s = 0;  ///< processor time, as the row's at its last change and since
   std::shared_ptr<std::atomic<bool>> interrupt = std::make_shared<std::atomic<bool>>(false);
+
+  std::shared_ptr<TouchInbox> hands = std::make_shared<TouchInbox>();
+  std::shared_ptr<ShapeWish> shape = std::make_shared<ShapeWish>();
 
   /// This process has the lease, and the drape if there is one.
   bool is_here() const { return context.lease != 0; }

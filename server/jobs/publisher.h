@@ -32,6 +32,12 @@ struct StreamFrame {
 /// The phase in which a drape's pictures are drawn, on another thread.
 inline constexpr std::string_view kStillsPhase = "stills";
 
+/// A point of the cloth that somebody has pinned.
+struct LivePin {
+  int number = 0;
+  Vec3 place;  ///< m
+};
+
 /// Figures that go along with a running job, for progress displays.
 struct JobProgress {
   store::JobState state = store::JobState::kQueued;
@@ -44,6 +50,8 @@ struct JobProgress {
   double seam_gap_mm = 0;
   int cloth_body = 0, cloth_cloth = 0;  ///< crossings at the last recorded frame
   double step_ms = 0;                   ///< wall time per step, mean of the last slice
+  int pulls = 0;                        ///< hands that hold the cloth
+  std::vector<LivePin> pins;
 };
 
 /// Called by workers and by whoever asks for a change; implementations are thread-safe and must not call

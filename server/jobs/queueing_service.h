@@ -46,6 +46,10 @@ class QueueingJobService final : public JobService {
   Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) override;
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override;
+  Result<store::JobRow> step(const store::RequestContext& context, const std::string& id) override;
+  Result<store::Made<store::JobRow>> go_on(const store::RequestContext& context, const std::string& id,
+                                           const std::string& idempotency_key) override;
+  Status touch(const store::RequestContext& context, const std::string& id, LiveTouch touch) override;
   Status remove(const store::RequestContext& context, const std::string& id) override;
   Result<JobProgress> progress(const store::RequestContext& context, const std::string& id) override;
   Counts counts() const override { return table_.counts(); }
@@ -54,10 +58,11 @@ class QueueingJobService final : public JobService {
   using Changing = JobTable::Changing;
 
   Result<store::JobRow> on_request(const store::RequestContext& context, const std::string& id,
-                                   JobEvent event, const RowEdit& edit);
+                                   JobEvent event, const RowEdit& edit, bool one_frame = false);
   Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
   Status check_queue(int more) const;
+  Result<std::string> shape_now(const LiveJobPtr& job);
   Result<store::Made<store::JobRow>> queue(const store::RequestContext& context, store::JobRow row,
                                            const std::string& idempotency_key, bool anew);
   store::JobRow begin(const Changing& changing, const store::RequestContext& context,
@@ -86,6 +91,7 @@ class QueueingJobService final : public JobService {
   void come_further(const LiveJobPtr& job);
   Status keep_draped(const LiveJobPtr& job, const RunEnd& end);
   void let_go(const LiveJobPtr& job, const std::optional<RunEnd>& run_end);
+  void end_step(const Changing& changing, LiveJob& job);
   void end(const Changing& changing, const LiveJobPtr& job, const RunEnd& run_end);
 
   documents::Documents& documents_;

@@ -12,6 +12,7 @@
 #include "core/base/read_file.h"
 #include "core/exports/write_glb.h"
 #include "core/exports/write_obj.h"
+#include "core/manifest/touch_log.h"
 #include "server/documents/stream_pieces.h"
 #include "server/movie/film_codec.h"
 #include "server/render/png.h"
@@ -68,6 +69,16 @@ Status write_bytes(const fs::path& path, std::string_view bytes) {
   return Error{"export.write", "cannot write the file", path.string(), ErrorKind::kInternal};
 }
 
+/// Where there were none, one of a drape before goes.
+Status write_touches(const std::vector<drape::Touch>& touches, const fs::path& folder) {
+  const fs::path path = folder / manifest::kTouchLogFile;
+  if (!touches.empty()) return write_bytes(path, manifest::write_touch_log(touches));
+  std::error_code failure;
+  fs::remove(path, failure);
+  if (!failure) return {};
+  return Error{"export.write", "cannot remove the log of another drape", path.string(), ErrorKind::kInternal};
+}
+
 }  // namespace
 
 Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& result,
@@ -78,6 +89,7 @@ Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& re
   TRY(check_data ? exports::write_check_data(folder, garment, result.positions, result.bodies, panels)
                  : exports::write_obj(folder / "final.obj", result.positions, garment.triangles, panels));
   TRY(write_bytes(folder / "final.hung", warm::encode_hung(result.hung)));
+  TRY(write_touches(result.touches, folder));
   exports::GlbModel model;
   model.garment = &garment;
   model.positions = result.positions;
@@ -100,6 +112,7 @@ Status write_manifest(manifest::Manifest manifest, const drape::DrapeResult& res
                       bool check_data) {
   std::vector<std::string> names{movie::kFilmFile, "final.glb", "final.hung", "final.obj"};
   if (check_data) names.insert(names.end(), {"body.obj", "rest.obj", "sewn.json"});
+  if (!result.touches.empty()) names.push_back(manifest::kTouchLogFile);
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) {
     const std::string bytes = TRY(bytes_of(folder / name));

@@ -40,10 +40,18 @@ RowEdit cancelled() {
   };
 }
 
+RowEdit superseded(std::string successor) {
+  return [successor = std::move(successor)](store::JobRow& row) {
+    cancelled()(row);
+    with_reason("superseded", "it was edited while it draped, and goes on as another drape", successor)(row);
+  };
+}
+
 RowEdit draped(const RunEnd& end) {
   return [&end](store::JobRow& row) {
     if (!row.verdict) row.attempt = 1;  // it has come as far as that: counted anew
     row.verdict = store::JobVerdict{end.succeeded, end.code, end.reason, end.where};
+    if (end.touched) row.input.clear();  // it answers for no other drape
     row.notes = end.notes;
     row.report = end.report;
     row.results = end.results;
@@ -64,6 +72,7 @@ RowEdit ended(const RunEnd& end) {
   return [&end](store::JobRow& row) {
     with_reason(end.code, end.reason, end.where)(row);
     row.verdict.reset();
+    if (end.touched) row.input.clear();
     row.notes = end.notes;
     row.report = end.report;
     row.results = end.results;

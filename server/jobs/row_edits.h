@@ -28,6 +28,9 @@ void uncount(store::JobRow& row);
 
 RowEdit cancelled();
 
+/// The end of a drape that goes on, edited, as the job `successor`.
+RowEdit superseded(std::string successor);
+
 /// What is kept of a drape whose pictures are still to be drawn. `end` must outlive the edit.
 RowEdit draped(const RunEnd& end);
 

@@ -17,6 +17,7 @@ struct RunEnd {
   bool succeeded = false;
   std::string code, reason, where;
   std::vector<store::JobNote> notes;  ///< what it fell short of although it ended well
+  bool touched = false;               ///< hands were on the cloth: its input does not tell how it hangs
   std::string report;                 ///< report.json's text; empty when nothing was draped
   store::ResultFiles results;
 };

@@ -116,6 +116,7 @@ std::optional<RunEnd> JobRun::through_all_stages(const RunControl& control) {
     const Status draped = drape_on(control);
     if (!draped) return failed(draped.error());
     if (!run_->done()) return std::nullopt;
+    control.hands->close();
     result_ = std::make_shared<const drape::DrapeResult>(run_->conclude());
     read_figures();
     run_.reset();  // the solver's memory is not needed for the rest
@@ -152,6 +153,7 @@ Status JobRun::begin(const RunControl& control) {
   std::unique_ptr<drape::DrapeRun> run = TRY(start_or_resume(context));
   run_ = std::move(run);
   input_ = run_->reduced() ? std::make_shared<const drape::DrapeInput>(run_->input()) : whole_;
+  let_go_of_all();
   const drape::Session& session = run_->session();
   progress_.first_step = checkpoint_step_ = session.steps();
   next_checkpoint_ = later(place_.checkpoint_every);
@@ -206,13 +208,18 @@ void JobRun::keep_where_it_stands() {
 
 Status JobRun::drape_on(const RunControl& control) {
   while (!run_->done() && !control.interrupt->load(std::memory_order_relaxed)) {
+    take_touches(*control.hands);
+    if (control.shape->is_asked()) control.shape->answer(shape());
     advance_slice(control);
     account(control);
     TRY(check_limits());
     // What it has done since its last checkpoint waits with it in memory.
-    if (!run_->done() && control.make_room()) return {};
+    const bool framed = run_->session().steps() % place_.stream_interval == 0;
+    if (!run_->done() && !control.one_frame && control.make_room()) return {};
+    if (control.one_frame && framed) break;
     if (Clock::now() >= next_checkpoint_) keep_checkpoint(control);
   }
+  if (!run_->done()) tell_where_it_stands(control);
   // The end as well: a crash among models and pictures must cost no step.
   if (control.worth_keeping()) keep_checkpoint(control);
   const drape::Session& session = run_->session();
@@ -253,6 +260,9 @@ void JobRun::read_figures() {
   progress_.seam_gap_mm = mm_from_metres(session.seam_gap());
   progress_.cloth_body = run_->crossings().cloth_body;
   progress_.cloth_cloth = run_->crossings().cloth_cloth;
+  progress_.pulls = static_cast<int>(session.hands().pulls.size());
+  progress_.pins.clear();
+  for (const drape::Grip& pin : session.hands().pins) progress_.pins.push_back({pin.id, pin.goal});
 }
 
 /// A new phase is told at once, the same again only after a while.
@@ -292,6 +302,7 @@ Result<RunEnd> JobRun::deliver_models() {
   store::Store& store = place_.documents->store();
   const std::unique_ptr<TemporaryFolder> folder = TRY(TemporaryFolder::make(store.scratch_folder()));
   RunEnd end = verdict_on(*input_, *result_);
+  end.touched = !result_->touches.empty();
   end.report = exports::report_json(analysis::make_report(*input_, *result_));
   read_pictures_into(end);
   TRY(write_models(*input_, *result_, textures_, folder->path(), true));

@@ -21,7 +21,9 @@
 #include "server/jobs/publisher.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/run_end.h"
+#include "server/jobs/shape_wish.h"
 #include "server/jobs/stream.h"
+#include "server/jobs/touch_inbox.h"
 #include "server/jobs/work_clock.h"
 #include "server/movie/film_recorder.h"
 #include "server/store/store.h"
@@ -46,6 +48,9 @@ struct RunControl {
   std::function<bool()> make_room;  ///< whether the drape lets go for a while, although nobody told it to
   std::function<bool()> abandon;  ///< whether even a finished drape lets go, without its pictures and results
   std::function<bool()> worth_keeping;  ///< whether a drape that lets go will be taken up again
+  TouchInbox* hands = nullptr;          ///< what viewers do to the cloth
+  ShapeWish* shape = nullptr;           ///< who wants to go on from how it hangs
+  bool one_frame = false;               ///< it lets go after the next streamed frame
   std::function<void(const JobProgress&)> on_progress;  ///< at most about ten times a second
   std::function<void()> on_kept;                        ///< a checkpoint: the drape has come further
   /// s that went into a phase, often: processor time, and for kStillsPhase time by the clock.
@@ -67,6 +72,12 @@ class JobRun {
   /// Keeps a checkpoint of where a drape stands that waits for its turn. REQUIRES that nobody goes on with
   /// it.
   void keep_where_it_stands();
+  /// Does to a drape that waits what viewers want, and gives back its figures then. REQUIRES that nobody goes
+  /// on with it.
+  JobProgress touch_where_it_stands(TouchInbox& hands);
+  /// How the garment hangs (warm::encode_hung), by now or at the end; empty where it is still put on or sewn.
+  /// REQUIRES that nobody goes on with it.
+  std::string shape() const;
 
  private:
   std::optional<RunEnd> caught(const RunControl& control);
@@ -79,6 +90,9 @@ class JobRun {
   void keep_checkpoint(const RunControl& control);
   bool put_checkpoint();
   Status drape_on(const RunControl& control);
+  void take_touches(TouchInbox& hands);
+  void let_go_of_all();
+  void tell_where_it_stands(const RunControl& control);
   void advance_slice(const RunControl& control);
   Result<image::Textures> read_pictures();
   void read_pictures_into(RunEnd& end);

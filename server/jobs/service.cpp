@@ -28,7 +28,7 @@ Status QueueingJobService::check_parking(const Changing& changing, const LiveJob
 
 Result<store::JobRow> QueueingJobService::on_request(const store::RequestContext& context,
                                                      const std::string& id, JobEvent event,
-                                                     const RowEdit& edit) {
+                                                     const RowEdit& edit, bool one_frame) {
   std::unique_ptr<JobRun> run;  // freed after the lock
   const Changing changing = table_.changing();
   const LiveJobPtr job = table_.find(context, id);
@@ -38,6 +38,7 @@ Result<store::JobRow> QueueingJobService::on_request(const store::RequestContext
   }
   const bool interrupted = event == JobEvent::kPause && job->state == store::JobState::kRunning;
   TRY(table_.change(changing, *job, event, interrupted ? RowEdit(uncount) : edit, By::kRequest));
+  table_.set_stepping(changing, *job, one_frame);
   context.log.info("job changed", {{"job", id}, {"state", std::string(store::name_of(job->state))}});
   if (job->held) return job->row;  // the worker tells when it lets go
   if (event == JobEvent::kPause && job->run) job->run->keep_where_it_stands();

@@ -14,6 +14,7 @@
 #include "server/jobs/publisher.h"
 #include "server/jobs/sweeps.h"
 #include "server/jobs/wish.h"
+#include "server/jobs/touch_inbox.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {
@@ -86,6 +87,22 @@ class JobService {
   virtual Result<store::JobRow> pause(const store::RequestContext& context, const std::string& id) = 0;
   virtual Result<store::JobRow> resume(const store::RequestContext& context, const std::string& id) = 0;
   virtual Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) = 0;
+
+  /// Lets a paused drape go on to its next streamed frame, or its end, and pauses it again. Gives back the
+  /// job as it runs. Errors: as resume().
+  virtual Result<store::JobRow> step(const store::RequestContext& context, const std::string& id) = 0;
+  /// Goes on with the project as it is by now: a new job, from how the garment of this one hangs (or from the
+  /// pieces, where it does not hang yet), in whose place it comes. This one ends as cancelled, with code
+  /// "superseded" and the new job's id as its place. Under a key as submit(). Errors: those of submit();
+  /// jobs.state where the job neither waits, runs nor is paused; live.elsewhere while another process drapes
+  /// it; jobs.no_shape where its worker does not answer.
+  virtual Result<store::Made<store::JobRow>> go_on(const store::RequestContext& context,
+                                                   const std::string& id,
+                                                   const std::string& idempotency_key) = 0;
+  /// A hand on the cloth of a drape that runs or is paused; the worker takes it up within 50 ms. Errors:
+  /// store.not_found; jobs.state when it neither runs nor is paused; live.elsewhere while another process
+  /// drapes it; those of TouchInbox::put. What the cloth refuses is told to LiveTouch::refused.
+  virtual Status touch(const store::RequestContext& context, const std::string& id, LiveTouch touch) = 0;
 
   /// Removes a job that has ended, with its results. Errors: store.not_found; jobs.state when it has not
   /// ended; those of the store.

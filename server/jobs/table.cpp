@@ -290,6 +290,21 @@ JobProgress JobTable::progress(const LiveJob& job) const {
   return progress_now(job);
 }
 
+void JobTable::set_stepping(const Changing&, LiveJob& job, bool stepping) {
+  const std::lock_guard lock(mutex_);
+  job.stepping = stepping;
+}
+
+bool JobTable::is_here(const LiveJob& job) const {
+  const std::lock_guard lock(mutex_);
+  return job.is_here();
+}
+
+bool JobTable::is_stepping(const LiveJob& job) const {
+  const std::lock_guard lock(mutex_);
+  return job.stepping;
+}
+
 store::JobState JobTable::state(const LiveJob& job) const {
   const std::lock_guard lock(mutex_);
   return job.state;

@@ -93,6 +93,7 @@ class JobTable {
   void take_back(const Changing&, LiveJob& job);
   /// It has made room, and waits for its next turn in memory: as running for all who look.
   void make_wait(const Changing&, LiveJob& job);
+  void set_stepping(const Changing&, LiveJob& job, bool stepping);
   std::vector<LiveJobPtr> all(const Changing&) const;
   /// Jobs whose drape lies in memory.
   int begun(const Changing&) const;
@@ -108,6 +109,8 @@ class JobTable {
   LiveJobPtr find(const store::RequestContext& context, const std::string& id) const;
   JobProgress progress(const LiveJob& job) const;
   store::JobState state(const LiveJob& job) const;
+  bool is_stepping(const LiveJob& job) const;
+  bool is_here(const LiveJob& job) const;
   JobService::Counts counts() const;
   double worked(const LiveJob& job) const;
   /// Whether a stop has waited long enough for what could be brought to its end.

@@ -76,6 +76,9 @@ bool QueueingJobService::work_once(WorkerKind kind) {
     return table_.state(*job) != store::JobState::kRunning || table_.is_out_of_patience();
   };
   control.worth_keeping = [&] { return !store::is_final(table_.state(*job)); };
+  control.hands = job->hands.get();
+  control.shape = job->shape.get();
+  control.one_frame = table_.is_stepping(*job);
   control.make_room = [&] { return table_.is_to_make_room(*job, settings_.workers + settings_.max_parked); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
   control.on_kept = [&] { come_further(job); };
@@ -130,11 +133,20 @@ void QueueingJobService::let_go(const LiveJobPtr& job, const std::optional<RunEn
         const Status told = table_.tell_work(changing, *job);
         if (!told) job->context.log.warn("work on a paused job not kept", told.error());
       }
+      if (job->stepping && job->state == store::JobState::kRunning) end_step(changing, *job);
       table_.announce(changing, *job);
       if (job->state == store::JobState::kRunning) table_.make_wait(changing, *job);
     }
   }
   if (unnamed_results) forget_results(*job);
+}
+
+/// A step is over: it is paused as before.
+void QueueingJobService::end_step(const Changing& changing, LiveJob& job) {
+  table_.set_stepping(changing, job, false);
+  const Status paused = table_.change(changing, job, JobEvent::kPause, uncount);
+  if (!paused) return job.context.log.warn("not paused after its step", paused.error());
+  if (job.run) job.run->keep_where_it_stands();
 }
 
 /// Files that were kept before a cancel came, or before the disk was full. The store's next start removes

@@ -1,6 +1,7 @@
 #pragma once
 // Between the worker that drapes and those who look on: jobs publish here without knowing who listens.
 
+#include <atomic>
 #include <cstddef>
 #include <deque>
 #include <map>
@@ -51,6 +52,9 @@ class Hub final : public jobs::Publisher {
   /// outlive it.
   Subscription subscribe(const std::string& job_id, ChannelListener* listener);
 
+  /// A number that no other hand on cloth has had.
+  int new_hand() { return ++hands_; }
+
   std::size_t viewers() const;
   std::size_t channels() const;
 
@@ -59,6 +63,7 @@ class Hub final : public jobs::Publisher {
   std::shared_ptr<Channel> channel(const std::string& job_id);
   void forget_if_idle(const std::string& job_id);
 
+  std::atomic<int> hands_{0};
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Channel>> channels_;
   std::deque<std::string> ended_;  ///< ids of channels_, the longest ended first

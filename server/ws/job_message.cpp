@@ -48,6 +48,12 @@ std::vector<json::JsonMember> job_members(const store::JobRow& job) {
 }
 
 std::vector<json::JsonMember> progress_members(const jobs::JobProgress& progress) {
+  std::vector<json::JsonValue> pins;
+  for (const jobs::LivePin& pin : progress.pins) {
+    const auto& [x, y, z] = pin.place;
+    pins.push_back(std::vector<json::JsonMember>{{"pin", number(pin.number)},
+                                                 {"place", std::vector<json::JsonValue>{x, y, z}}});
+  }
   return {{"state", word_of(progress.state)},
           {"phase", progress.phase},
           {"fraction", progress.fraction},
@@ -57,7 +63,9 @@ std::vector<json::JsonMember> progress_members(const jobs::JobProgress& progress
           {"seam_gap_mm", progress.seam_gap_mm},
           {"cloth_body", number(progress.cloth_body)},
           {"cloth_cloth", number(progress.cloth_cloth)},
-          {"step_ms", progress.step_ms}};
+          {"step_ms", progress.step_ms},
+          {"pulls", number(progress.pulls)},
+          {"pins", std::move(pins)}};
 }
 
 std::string job_message(const store::JobRow& job, const jobs::JobProgress& progress) {

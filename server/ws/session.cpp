@@ -47,6 +47,7 @@ asio::awaitable<void> StreamSession::run(Handshake handshake) {
   subscription_ = services_.hub.subscribe(job_id_, this);  // before the row is read: nothing falls between
   asio::awaitable<void> all = read_all() && write_all() && watch();
   co_await std::move(all);
+  co_await let_go();
   subscription_.reset();
 }
 
@@ -159,20 +160,61 @@ asio::awaitable<void> StreamSession::obey(std::string text) {
     ask_to_close(websocket::close_code::policy_error, control.error().code);
     co_return;
   }
-  const Control wish = *control;
   if (!context_.scopes.has(store::Scope::kSubmit)) {
-    reply_ = error_message({"auth.scope", "this wants a key of scope submit", ""});
-    rouse();
+    refuse({"auth.scope", "this wants a key of scope submit", ""});
     co_return;
   }
+  if (control->kind == Control::Kind::kTouch) co_return co_await touch(*control);
+  const Control::Kind wish = control->kind;
   const Result<store::JobRow> done =
       co_await on_pool(services_.pool, [this, wish]() -> Result<store::JobRow> {
-        if (wish == Control::kPause) return services_.jobs.pause(context_, job_id_);
-        if (wish == Control::kResume) return services_.jobs.resume(context_, job_id_);
+        if (wish == Control::Kind::kPause) return services_.jobs.pause(context_, job_id_);
+        if (wish == Control::Kind::kResume) return services_.jobs.resume(context_, job_id_);
+        if (wish == Control::Kind::kStep) return services_.jobs.step(context_, job_id_);
         return services_.jobs.cancel(context_, job_id_);
       });
-  if (done) co_return;
-  reply_ = error_message(done.error());
+  if (!done) refuse(done.error());
+}
+
+/// What the cloth refuses is told later, by the worker.
+asio::awaitable<void> StreamSession::touch(Control wish) {
+  using drape::TouchKind;
+  const TouchKind kind = wish.touch.touch.kind;
+  if (kind == TouchKind::kLetGo) co_return co_await let_go();
+  if (!pace_.may(Clock::now())) {
+    refuse({"live.too_fast", "a hand may be told of 60 times a second; this one was passed over", "",
+            ErrorKind::kTooMany});
+    co_return;
+  }
+  if (kind == TouchKind::kPull) {
+    if (hand_ == 0) hand_ = services_.hub.new_hand();
+    wish.touch.touch.id = hand_;
+    holds_ = true;
+  }
+  wish.touch.refused = [self = weak_from_this()](const Error& error) {
+    const auto session = self.lock();
+    if (!session) return;
+    asio::post(session->socket_.get_executor(), [session, error] { session->refuse(error); });
+  };
+  const Status done = co_await on_pool(services_.pool, [this, &wish] {
+    return services_.jobs.touch(context_, job_id_, std::move(wish.touch));
+  });
+  if (!done) refuse(done.error());
+}
+
+/// A drape that has ended meanwhile has no hands on it.
+asio::awaitable<void> StreamSession::let_go() {
+  if (!std::exchange(holds_, false)) co_return;
+  jobs::LiveTouch open;
+  open.touch.kind = drape::TouchKind::kLetGo;
+  open.touch.id = hand_;
+  const Status done = co_await on_pool(
+      services_.pool, [this, &open] { return services_.jobs.touch(context_, job_id_, std::move(open)); });
+  if (!done) context_.log.debug("nothing to let go of", {{"code", done.error().code}});
+}
+
+void StreamSession::refuse(const Error& error) {
+  reply_ = error_message(error);
   rouse();
 }
 

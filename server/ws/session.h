@@ -19,6 +19,7 @@
 #include "server/store/store.h"
 #include "server/ws/control.h"
 #include "server/ws/feed.h"
+#include "server/ws/hand_pace.h"
 #include "server/ws/hub.h"
 #include "server/ws/line.h"
 #include "server/ws/stream_settings.h"
@@ -74,6 +75,9 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
   boost::asio::awaitable<void> sleep();
   boost::asio::awaitable<void> read_all();
   boost::asio::awaitable<void> obey(std::string text);
+  boost::asio::awaitable<void> touch(Control wish);
+  boost::asio::awaitable<void> let_go();
+  void refuse(const Error& error);
   boost::asio::awaitable<void> watch();
   boost::asio::awaitable<void> check_key();
   Found find() const;
@@ -94,6 +98,9 @@ class StreamSession final : public ChannelListener, public std::enable_shared_fr
 
   Subscription subscription_;
   Feed feed_;
+  HandPace pace_;
+  int hand_ = 0;               ///< number of this viewer's hand; 0 before its first touch
+  bool holds_ = false;         ///< it may hold the cloth
   std::string reply_;          ///< newest refusal of a command, to be sent; empty: none
   bool row_is_final_ = false;  ///< the job had ended before this viewer came
 

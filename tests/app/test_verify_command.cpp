@@ -141,6 +141,36 @@ TEST_F(VerifyCommand, FollowsADrapeThatWentOnFromAnother) {
   EXPECT_TRUE(has(lost.err, "--from")) << lost.err;
 }
 
+TEST_F(VerifyCommand, LetsHandsDoAgainWhatTheyDid) {
+  write_text(folder / "hands.log",
+             R"({"toile_drape_log": 1, "touches": [
+                 {"step": 100, "touch": "pull", "id": 1, "triangle": 5, "shares": [0.2, 0.3, 0.5], "to": [0.1, 1.5, 0.2]},
+                 {"step": 300, "touch": "pin", "id": 1, "triangle": 9, "shares": [1, 0, 0]},
+                 {"step": 400, "touch": "let_go", "id": 1}]})");
+  const auto drape = [&](const char* out, const fs::path& log) {
+    return run_toile(
+        {"drape", folder / "project.json", "--out", folder / out, "--no-stills", "--replay", log});
+  };
+  const Ran held = drape("held", folder / "hands.log");
+  ASSERT_EQ(held.code, 3) << held.err;
+  const fs::path log = folder / "held" / "drape.log";
+  ASSERT_TRUE(fs::exists(log));
+  EXPECT_NE(text_of(folder / "held" / "final.obj"), text_of(folder / "out" / "final.obj")) << "they moved it";
+  const Ran run = run_toile({"verify", folder / "held"});
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  ASSERT_EQ(drape("again", log).code, 3);
+  EXPECT_EQ(text_of(folder / "again" / "drape.log"), text_of(log));
+  EXPECT_EQ(text_of(folder / "again" / "final.hung"), text_of(folder / "held" / "final.hung"));
+
+  change("held/drape.log", "\"step\": 400", "\"step\": 500");
+  EXPECT_EQ(run_toile({"verify", folder / "held"}).code, 6) << "other hands, another drape";
+  change("held/drape.log", "\"let_go\"", "\"let_fly\"");
+  const Ran damaged = drape("damaged", log);
+  EXPECT_EQ(damaged.code, 2);
+  EXPECT_TRUE(has(damaged.err, "log.damaged")) << damaged.err;
+  EXPECT_EQ(drape("none", folder / "no.log").code, 2);
+}
+
 TEST_F(VerifyCommand, AJobOfTheServiceHasTheBytesOfTheCommandLine) {
   Serving server(folder / "data", {"--no-sample", "--workers", "1"});
   ASSERT_TRUE(server.up()) << server.said();

@@ -59,7 +59,7 @@ const stream: ClothStream = new ClothStream(port, {
   topology: (topology) => handlers.topology(topology),
   frame: (positions, moment) => handlers.frame(positions, moment),
 });
-const watcher: Watcher = new Watcher(state, api, stream, refresh);
+const watcher: Watcher = new Watcher(state, api, stream, refresh, (id) => go(formatRoute({ name: 'job', id }), true));
 const handlers = watcher.handlers();
 
 function go(hash: string, replace: boolean): void {
@@ -82,7 +82,7 @@ const newKey = (): string =>
 
 const anew = (): void => location.reload();
 
-const commands = new Commands(state, api, { go, save, newKey, anew }, refresh, (id) => watcher.show(id));
+const commands = new Commands(state, api, { go, save, newKey, anew, say: (word) => stream.say(word), follow: (id) => watcher.follow(id) }, refresh, (id) => watcher.show(id));
 
 /** What the page test looks through. */
 const hook = { drawn: 0, firstDrawnMs: 0 };
@@ -199,6 +199,13 @@ effect(() => {
   untracked(() => void commands.textures.follow());
   // They tell how light plays on the cloth.
   if (state.pieces.value?.state === 'ready') untracked(() => void commands.pattern.loadFabrics());
+});
+// Edits that cloth may go on hanging after are taken over while it drapes, once no more of them come.
+effect(() => {
+  if (!state.goesOnWarm.value) return;
+  void revision.value;
+  const wait = setTimeout(() => void commands.goOn(), 500);
+  return () => clearTimeout(wait);
 });
 effect(() => {
   const shown = state.atHome.value ? '' : (state.job.value?.name ?? state.project.value?.name);

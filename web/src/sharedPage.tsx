@@ -34,7 +34,7 @@ export function startShared(secret: string, root: HTMLElement): void {
   });
   const keeper = new SharedKeeper(state, shared, api, stream);
   const handlers = keeper.handlers();
-  const around = { go: () => undefined, save: () => undefined, newKey: () => '', anew: () => location.reload() };
+  const around = { go: () => undefined, save: () => undefined, newKey: () => '', anew: () => location.reload(), say: () => undefined, follow: () => undefined };
   // Views want commands; of these only those that turn the view are to be had here.
   const commands = new Commands(state, makeApi(), around, () => undefined, () => undefined);
   const hook = { drawn: 0 };

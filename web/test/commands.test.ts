@@ -19,6 +19,8 @@ function begin(more: Partial<Api> = {}) {
       order.push(`go ${hash}`);
       state.route.value = parseRoute(hash);
     },
+    follow: (id: string) => void order.push(`follow ${id}`),
+    say: (word: { type: string }) => void order.push(`say ${word.type}`),
     save: (name: string, text: string) => void order.push(`save ${name} ${text.length}`),
     newKey: () => 'key',
     anew: () => void order.push('anew'),

@@ -66,7 +66,7 @@ function begin(start: string) {
     },
   });
   const nothing = (): void => undefined;
-  const commands = new Commands(state, api, { go: nothing, save: nothing, newKey: () => '', anew: nothing }, nothing, nothing);
+  const commands = new Commands(state, api, { go: nothing, save: nothing, newKey: () => '', anew: nothing, say: nothing, follow: nothing }, nothing, nothing);
   state.projects.value = ready([projectOf()]);
   state.jobs.value = ready([]);
   state.route.value = { name: 'project', id: 'p_1' };

@@ -43,8 +43,14 @@ export class FakeSocket implements Socket {
   onclose: Socket['onclose'] = null;
   onerror: Socket['onerror'] = null;
   closedByUs = false;
+  /** What was said to the service. */
+  sent: unknown[] = [];
 
   constructor(readonly url: string) {}
+
+  send(data: string): void {
+    this.sent.push(JSON.parse(data));
+  }
 
   close(): void {
     this.closedByUs = true;
@@ -81,6 +87,8 @@ export const progressOf = (more: Partial<Progress> = {}): Progress => ({
   cloth_body: 0,
   cloth_cloth: 0,
   step_ms: 0.7,
+  pulls: 0,
+  pins: [],
   ...more,
 });
 
@@ -154,6 +162,7 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     jobs: async () => [jobOf()],
     job: async () => jobOf(),
     submit: async () => jobOf({ id: 'j_new', state: 'queued', created_ms: 5000 }),
+    goOn: async () => jobOf({ id: 'j_next', state: 'queued', project_revision: 2, created_ms: 6000 }),
     act: async (id, action) => jobOf({ id, state: action === 'pause' ? 'paused' : 'running' }),
     report: missing,
     resultText: missing,

@@ -129,5 +129,5 @@ describe('a share link', () => {
 });
 
 const progressOf = (): NonNullable<SharedJob['progress']> => ({
-  state: 'succeeded', phase: 'stills', fraction: 1, step: 1, simulated_s: 1, rms_speed: 0, seam_gap_mm: 0, cloth_body: 0, cloth_cloth: 0, step_ms: 1,
+  state: 'succeeded', phase: 'stills', fraction: 1, step: 1, simulated_s: 1, rms_speed: 0, seam_gap_mm: 0, cloth_body: 0, cloth_cloth: 0, step_ms: 1, pulls: 0, pins: [],
 });

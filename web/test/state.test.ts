@@ -96,9 +96,9 @@ describe('the state', () => {
 
 describe('facts about jobs', () => {
   it('allow what the state allows', () => {
-    expect(commandsOf('running')).toEqual({ pause: true, resume: false, cancel: true });
-    expect(commandsOf('paused')).toEqual({ pause: false, resume: true, cancel: true });
-    expect(commandsOf('succeeded')).toEqual({ pause: false, resume: false, cancel: false });
+    expect(commandsOf('running')).toEqual({ pause: true, resume: false, step: false, cancel: true });
+    expect(commandsOf('paused')).toEqual({ pause: false, resume: true, step: true, cancel: true });
+    expect(commandsOf('succeeded')).toEqual({ pause: false, resume: false, step: false, cancel: false });
   });
 
   it('count those before it in the queue', () => {

@@ -161,7 +161,7 @@ describe('a picture that is dropped alone', () => {
   const drop = async (selected: string | null, names: string[]): Promise<{ pieces: unknown[]; asked: boolean }> => {
     const { state, sent, api } = begin();
     state.selected.value = selected;
-    const around = { go: () => undefined, save: () => undefined, newKey: () => '', anew: () => undefined };
+    const around = { go: () => undefined, save: () => undefined, newKey: () => '', anew: () => undefined, say: () => undefined, follow: () => undefined };
     const nothing = (): void => undefined;
     const commands = new Commands(state, api, around, nothing, nothing);
     await commands.addFiles(names.map((name) => ({ name, blob: new Blob(['x']) })));

@@ -111,6 +111,11 @@ http::HttpResponse resume(const Api& api, const store::RequestContext& context,
   return changed(api, context, api.jobs.resume(context, request.captures[0]));
 }
 
+http::HttpResponse step(const Api& api, const store::RequestContext& context,
+                        const http::HttpRequest& request) {
+  return changed(api, context, api.jobs.step(context, request.captures[0]));
+}
+
 http::HttpResponse cancel(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
   return changed(api, context, api.jobs.cancel(context, request.captures[0]));
@@ -120,6 +125,15 @@ http::HttpResponse retry(const Api& api, const store::RequestContext& context,
                          const http::HttpRequest& request) {
   const Result<store::Made<store::JobRow>> job =
       api.jobs.retry(context, request.captures[0], request.header("idempotency-key"));
+  if (!job) return http::problem(job.error());
+  return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
+}
+
+/// The edited project in place of what drapes.
+http::HttpResponse go_on(const Api& api, const store::RequestContext& context,
+                         const http::HttpRequest& request) {
+  const Result<store::Made<store::JobRow>> job =
+      api.jobs.go_on(context, request.captures[0], request.header("idempotency-key"));
   if (!job) return http::problem(job.error());
   return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
 }
@@ -183,8 +197,13 @@ ApiRoutes job_routes() {
       {.method = "DELETE", .pattern = "/api/v1/jobs/{id}", .handler = remove},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/pause", .handler = pause},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/resume", .handler = resume},
+      {.method = "POST", .pattern = "/api/v1/jobs/{id}/step", .handler = step},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/retry", .handler = retry},
+      {.method = "POST",
+       .pattern = "/api/v1/jobs/{id}/go_on",
+       .handler = go_on,
+       .work = http::Work::kDocument},
       {.pattern = "/api/v1/jobs/{id}/results", .handler = list_results},
       {.pattern = "/api/v1/jobs/{id}/results/{name}", .handler = job_result},
       {.pattern = "/api/v1/jobs/{id}/results/{name}/small",

@@ -7,6 +7,7 @@
 #include "core/exports/write_report.h"
 #include "core/fabric/schema.h"
 #include "core/manifest/manifest.h"
+#include "core/manifest/touch_log.h"
 #include "core/project/editing/edits.h"
 #include "core/project/schema.h"
 
@@ -22,6 +23,7 @@ int main(int count, char** arguments) {
       {"fabric.schema.json", toile::fabric::fabric_schema()},
       {"report.schema.json", toile::exports::report_schema()},
       {"manifest.schema.json", toile::manifest::manifest_schema()},
+      {"drape_log.schema.json", toile::manifest::touch_log_schema()},
   };
   for (const auto& [name, schema] : files) {
     const toile::Status written = toile::write_file(folder / name, toile::json::write_json(schema));

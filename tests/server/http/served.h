@@ -66,6 +66,24 @@ class ScriptedJobs final : public jobs::JobService {
   Result<store::JobRow> cancel(const store::RequestContext& context, const std::string& id) override {
     return become(context, id, store::JobState::kCancelled);
   }
+  Result<store::JobRow> step(const store::RequestContext& context, const std::string& id) override {
+    return become(context, id, store::JobState::kQueued);
+  }
+  Result<store::Made<store::JobRow>> go_on(const store::RequestContext& context, const std::string& id,
+                                           const std::string& key) override {
+    return retry(context, id, key);
+  }
+  Status touch(const store::RequestContext& context, const std::string& id, jobs::LiveTouch touch) override {
+    TRY(store_.job(context, id));
+    const std::lock_guard lock(touches_mutex_);
+    touches_.push_back(std::move(touch));
+    return {};
+  }
+  /// What hands did so far.
+  std::vector<jobs::LiveTouch> touches() {
+    const std::lock_guard lock(touches_mutex_);
+    return touches_;
+  }
   Status remove(const store::RequestContext& context, const std::string& id) override {
     return store_.remove_job(context, id);
   }
@@ -93,6 +111,8 @@ class ScriptedJobs final : public jobs::JobService {
  private:
   documents::Documents& documents_;
   store::Store& store_;
+  std::mutex touches_mutex_;
+  std::vector<jobs::LiveTouch> touches_;
 };
 
 class Served : public testing::Test {

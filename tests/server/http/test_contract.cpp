@@ -365,6 +365,10 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   const std::string held = member(recorded("POST", "/api/v1/jobs", submission, kJson), "id");
   recorded("POST", "/api/v1/jobs/" + held + "/pause");
   recorded("POST", "/api/v1/jobs/" + held + "/resume");
+  recorded("POST", "/api/v1/jobs/" + held + "/pause");
+  recorded("POST", "/api/v1/jobs/" + held + "/step");
+  const std::string edited = member(recorded("POST", "/api/v1/jobs/" + held + "/go_on"), "id");
+  recorded("POST", "/api/v1/jobs/" + edited + "/cancel");
   recorded("POST", "/api/v1/jobs/" + held + "/retry");
   recorded("POST", "/api/v1/jobs/" + held + "/cancel");
   const std::string again = member(recorded("POST", address + "/retry"), "id");

@@ -61,8 +61,8 @@ class PausedStream : public Served {
  protected:
   /// A napkin that falls for as long as the test wants.
   std::string long_job() {
-    const std::string body =
-        napkin_request(post_asset(), "\"max_time_s\": 8", "\"max_time_s\": 60, \"time_step_s\": 0.00002");
+    const std::string body = napkin_request(
+        post_asset(), "\"max_time_s\": 8", "\"max_time_s\": 60, \"end\": \"time\", \"time_step_s\": 0.00002");
     const std::string project = member(send_json("POST", "/api/v1/projects", body), "id");
     return member(send_json("POST", "/api/v1/jobs", "{\"project_id\": \"" + project + "\"}"), "id");
   }

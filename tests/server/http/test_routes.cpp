@@ -297,7 +297,7 @@ TEST_F(Routes, RefuseJobsOfNothing) {
   for (const char* what : {"", "/results", "/results/report.json", "/body"}) {
     EXPECT_PROBLEM(get(std::string("/api/v1/jobs/j_00000000000000000000") + what), 404, "store.not_found");
   }
-  for (const char* what : {"/pause", "/resume", "/cancel"}) {
+  for (const char* what : {"/pause", "/resume", "/step", "/cancel"}) {
     EXPECT_PROBLEM(ask(port, "POST", std::string("/api/v1/jobs/j_00000000000000000000") + what), 404,
                    "store.not_found");
   }

@@ -210,6 +210,91 @@ TEST_F(Stream, TakesCommandsAndSaysWhenOneIsRefused) {
   EXPECT_EQ(store->job(kMe, id)->state, store::JobState::kCancelled);
 }
 
+/// Waits until the job has been told of so many touches.
+std::vector<jobs::LiveTouch> touches_become(ScriptedJobs& jobs, std::size_t count) {
+  for (int i = 0; i < 3000 && jobs.touches().size() < count; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return jobs.touches();
+}
+
+constexpr const char* kPull =
+    R"({"type": "pull", "epoch": 1, "triangle": 3, "shares": [0.5, 0.25, 0.25], "to": [0, 1, 0]})";
+
+TEST_F(Stream, HandsOnWhatHandsDoAndLetsGoForAViewerThatVanishes) {
+  auto& scripted = static_cast<ScriptedJobs&>(*jobs);
+  {
+    Socket one(port, target()), two(port, target());
+    ASSERT_TRUE(one.read());
+    ASSERT_TRUE(two.read());
+    one.send(Socket::kText, kPull);
+    ASSERT_EQ(touches_become(scripted, 1).size(), 1u);
+    two.send(Socket::kText, kPull);
+    ASSERT_EQ(touches_become(scripted, 2).size(), 2u);
+    two.send(Socket::kText, R"({"type": "pin", "epoch": 1, "triangle": 3, "shares": [1, 0, 0]})");
+    two.send(Socket::kText, R"({"type": "let_go"})");
+    two.send(Socket::kText, R"({"type": "let_go"})");  // it holds nothing any more
+    ASSERT_EQ(touches_become(scripted, 4).size(), 4u);
+  }
+  EXPECT_TRUE(viewers_become(0));
+  const auto touches = touches_become(scripted, 5);
+  ASSERT_EQ(touches.size(), 5u) << "who held something let go, once";
+  using drape::TouchKind;
+  EXPECT_EQ(touches[0].touch.kind, TouchKind::kPull);
+  EXPECT_EQ(touches[0].touch.target, (Vec3{0, 1, 0}));
+  EXPECT_NE(touches[0].touch.id, touches[1].touch.id) << "two viewers have two hands";
+  EXPECT_EQ(touches[2].touch.kind, TouchKind::kPin);
+  EXPECT_EQ(touches[3].touch.kind, TouchKind::kLetGo);
+  EXPECT_EQ(touches[3].touch.id, touches[1].touch.id);
+  EXPECT_EQ(touches[4].touch.kind, TouchKind::kLetGo);
+  EXPECT_EQ(touches[4].touch.id, touches[0].touch.id);
+}
+
+/// The code of the next error that a viewer is told.
+std::string next_error(Socket& viewer) {
+  while (const auto message = viewer.read()) {
+    const Result<json::JsonValue> said = json::parse_json(message->payload);
+    if (said && *said->find("type")->text() == "error") return *said->find("code")->text();
+  }
+  return "";
+}
+
+TEST_F(Stream, TellsWhatTheClothRefusesWhenTheWorkerComesToIt) {
+  Socket viewer(port, target());
+  ASSERT_TRUE(viewer.read());
+  viewer.send(Socket::kText, kPull);
+  const auto touches = touches_become(static_cast<ScriptedJobs&>(*jobs), 1);
+  ASSERT_EQ(touches.size(), 1u);
+  touches[0].refused({"live.point", "there is no such point", ""});
+  EXPECT_EQ(next_error(viewer), "live.point");
+}
+
+TEST_F(Stream, PassesOverHandsThatAreTooFast) {
+  Socket viewer(port, target());
+  ASSERT_TRUE(viewer.read());
+  for (int i = 0; i < 300; ++i) viewer.send(Socket::kText, kPull);
+  EXPECT_EQ(next_error(viewer), "live.too_fast");
+  viewer.send(Socket::kText, R"({"type": "let_go"})");
+  auto& scripted = static_cast<ScriptedJobs&>(*jobs);
+  for (int i = 0; i < 3000; ++i) {
+    const auto touches = scripted.touches();
+    if (!touches.empty() && touches.back().touch.kind == drape::TouchKind::kLetGo) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  const auto touches = scripted.touches();
+  EXPECT_EQ(touches.back().touch.kind, drape::TouchKind::kLetGo) << "letting go is always heard";
+  EXPECT_LT(touches.size(), 290u);
+}
+
+TEST_F(Stream, LetsAPausedDrapeMakeOneStep) {
+  EXPECT_TRUE(static_cast<ScriptedJobs&>(*jobs).become(kMe, id, store::JobState::kPaused));
+  Socket viewer(port, target());
+  ASSERT_TRUE(viewer.read());
+  viewer.send(Socket::kText, R"({"type": "step"})");
+  for (int i = 0; i < 3000 && store->job(kMe, id)->state == store::JobState::kPaused; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(store->job(kMe, id)->state, store::JobState::kQueued);
+}
+
 TEST_F(Stream, RefusesHandshakesThatAreNone) {
   EXPECT_PROBLEM(get(target()), 426, "http.upgrade");
   EXPECT_EQ(Socket(port, "/api/v1/jobs/j_00000000000000000000/stream").status(), 404);

@@ -46,5 +46,94 @@ TEST_F(GoingOnJobs, AreRefusedWhereThereIsNothingToGoOnFrom) {
   EXPECT_FALSE(service->submit(stranger, project, "", wish));
 }
 
+/// A drape that is edited while it is under way.
+class EditedJobs : public GoingOnJobs {
+ protected:
+  /// Begun, so far that its cloth hangs.
+  std::string hanging(const std::string& project) {
+    const std::string id = service->submit(kOwner, project, "")->id;
+    EXPECT_TRUE(publisher.wait(id, [](const test::Recorder::JobLog& log) {
+      return !log.progress.empty() && log.progress.back().progress.phase == "drape" && log.frames.size() > 10;
+    }));
+    return id;
+  }
+  /// The same cloth, stiffer: particles stay, wherever they are just now.
+  static std::string stiffer(int size, double max_time) {
+    std::string document = cloth_over_block(size, max_time);
+    const std::string from = "\"bend_warp_un_m\": 10";
+    return document.replace(document.find(from), from.size(), "\"bend_warp_un_m\": 30");
+  }
+  void edit(const std::string& project, const std::string& document) {
+    store::ProjectRow row = *store.project(kOwner, project);
+    row.document = document;
+    ++row.revision;
+    ASSERT_TRUE(store.replace_project(kOwner, row, row.revision));
+  }
+};
+
+TEST_F(EditedJobs, GoOnAsAnotherFromHowTheClothHangs) {
+  const std::string project = project_of(cloth_over_block(300, test::kEndless));
+  const std::string id = hanging(project);
+  edit(project, stiffer(300, 0.5));
+  const auto on = service->go_on(kOwner, id, "key");
+  ASSERT_TRUE(on) << on.error().message;
+  EXPECT_EQ(on->project_revision, row(id).project_revision + 1);
+  ASSERT_TRUE(publisher.wait_for_end(id));
+  EXPECT_EQ(row(id).state, store::JobState::kCancelled);
+  EXPECT_EQ(row(id).reason_code, "superseded");
+  EXPECT_EQ(row(id).reason_where, on->id);
+  ASSERT_TRUE(publisher.wait_for_end(on->id));
+  const store::JobRow job = row(on->id);
+  EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
+  EXPECT_NE(job.report.find("start.goes_on"), std::string::npos) << job.report;
+  EXPECT_EQ(hash_in(job), hash_of_alone(job)) << "its input tells all of it";
+  const auto again = service->go_on(kOwner, id, "key");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->id, on->id) << "the same wish makes one job";
+}
+
+TEST_F(EditedJobs, GoOnAlsoWhereTheyArePaused) {
+  const std::string project = project_of(cloth_over_block(300, test::kEndless));
+  const std::string id = hanging(project);
+  ASSERT_TRUE(service->pause(kOwner, id));
+  ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kPaused));
+  edit(project, stiffer(300, 0.3));
+  const auto on = service->go_on(kOwner, id, "");
+  ASSERT_TRUE(on) << on.error().message;
+  EXPECT_TRUE(on->files.empty()) << "rows are handed out without";
+  EXPECT_TRUE(row(on->id).files.contains(jobs::kShapeFile));
+  ASSERT_TRUE(publisher.wait_for_end(on->id));
+  EXPECT_NE(row(on->id).report.find("start.goes_on"), std::string::npos);
+}
+
+TEST_F(EditedJobs, BeginFromThePiecesWhereNothingHangsYet) {
+  service->stop();  // nobody begins what is submitted now
+  make(1);
+  ASSERT_TRUE(service->start());
+  const std::string busy = hanging(project_of(cloth_over_block(200, test::kEndless)));
+  const std::string project = project_of(cloth_over_block(210, test::kEndless));
+  const std::string waits = service->submit(kOwner, project, "")->id;
+  edit(project, cloth_over_block(220, 0.3));
+  const auto on = service->go_on(kOwner, waits, "");
+  ASSERT_TRUE(on) << on.error().message;
+  EXPECT_FALSE(row(on->id).files.contains(jobs::kShapeFile));
+  EXPECT_EQ(row(waits).reason_code, "superseded");
+  EXPECT_EQ(row(busy).state, store::JobState::kRunning);
+}
+
+TEST_F(EditedJobs, StayAsTheyAreWhereTheProjectCannotBeDraped) {
+  const std::string project = project_of(cloth_over_block(300, test::kEndless));
+  const std::string id = hanging(project);
+  edit(project, "{}");
+  EXPECT_FALSE(service->go_on(kOwner, id, ""));
+  EXPECT_EQ(row(id).state, store::JobState::kRunning);
+  const std::size_t frames = publisher.log(id).frames.size();
+  EXPECT_TRUE(publisher.wait_for_frames(id, frames + 2)) << "and drapes on";
+  EXPECT_EQ(service->go_on(store::RequestContext("bob"), id, "").error().code, "store.not_found");
+  ASSERT_TRUE(service->cancel(kOwner, id));
+  ASSERT_TRUE(publisher.wait_for_end(id));
+  EXPECT_EQ(service->go_on(kOwner, id, "").error().code, "jobs.state");
+}
+
 }  // namespace
 }  // namespace toile

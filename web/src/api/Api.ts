@@ -24,7 +24,7 @@ import type {
   Unit,
 } from './types';
 
-export type JobAction = 'pause' | 'resume' | 'cancel';
+export type JobAction = 'pause' | 'resume' | 'step' | 'cancel';
 
 export interface Api extends SessionApi, LinkApi, PatternUrls, SweepApi {
   projects(): Promise<Project[]>;
@@ -59,6 +59,8 @@ export interface Api extends SessionApi, LinkApi, PatternUrls, SweepApi {
   /** One that has ended, with its results. */
   removeJob(id: string): Promise<void>;
   act(id: string, action: JobAction): Promise<Job>;
+  /** The project as it is by now in place of a drape under way, from how its cloth hangs. */
+  goOn(id: string, key: string): Promise<Job>;
   report(id: string): Promise<Report>;
   resultText(id: string, name: string): Promise<string>;
   body(id: string): Promise<BodyMesh>;
@@ -81,6 +83,14 @@ const otherRoutes = (http: Http): SessionApi & LinkApi & PatternUrls & SweepApi 
   ...makeLinkApi(http),
   ...makePatternUrls(http),
   ...makeSweepApi(http),
+});
+
+const keyed = (key: string) => ({ 'Idempotency-Key': key });
+
+const submission = (project_id: string, from?: string): Question<'submitJob'> => ({
+  project_id,
+  priority: 'interactive',
+  ...(from ? { from } : {}),
 });
 
 export function makeApi(http = new Http('/api/v1')): Api {
@@ -122,11 +132,9 @@ export function makeApi(http = new Http('/api/v1')): Api {
     },
     jobs: async () => (await http.get<Answer<'listJobs'>>('/jobs?limit=100&sweep=none')).jobs,
     job: (id) => http.get(`/jobs/${part(id)}`),
-    submit: (id, key, from) =>
-      http.post('/jobs', { project_id: id, priority: 'interactive', ...(from ? { from } : {}) } satisfies Question<'submitJob'>, {
-        'Idempotency-Key': key,
-      }),
+    submit: (id, key, from) => http.post('/jobs', submission(id, from), keyed(key)),
     removeJob: async (id) => void (await http.send(`/jobs/${part(id)}`, { method: 'DELETE' })),
+    goOn: (id, key) => http.post(`/jobs/${part(id)}/go_on`, undefined, keyed(key)),
     act: (id, action) => http.post(`/jobs/${part(id)}/${action}`),
     report: (id) => http.get(result(id, 'report.json')),
     resultText: (id, name) => http.text(result(id, name)),

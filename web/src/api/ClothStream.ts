@@ -4,7 +4,7 @@ import type { ClothTopology } from './frames';
 import type { Moment } from './FrameSlot';
 import type { StreamConnection } from './JobStream';
 import type { FromWorker, ToWorker } from './messages';
-import type { StreamText } from './types';
+import type { StreamText, StreamWord } from './types';
 
 export interface WorkerPort {
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
@@ -41,6 +41,11 @@ export class ClothStream {
 
   poke(): void {
     this.port_.postMessage({ type: 'poke' });
+  }
+
+  /** Says something to the drape that is watched. */
+  say(word: StreamWord): void {
+    this.port_.postMessage({ type: 'say', word });
   }
 
   private receive(message: FromWorker): void {

@@ -10,6 +10,7 @@ export interface Socket {
   onmessage: ((event: { data: unknown }) => void) | null;
   onclose: ((event: { code: number; reason: string }) => void) | null;
   onerror: ((event: never) => void) | null;
+  send(data: string): void;
   close(code?: number, reason?: string): void;
 }
 
@@ -51,6 +52,7 @@ export class JobStream {
   private timer_: number | null = null;
   private attempt_ = 0;
   private wanted_ = false;
+  private open_ = false;
   private ended_ = false;
 
   constructor(
@@ -71,6 +73,11 @@ export class JobStream {
     this.stopWaiting();
     this.drop();
     this.handlers_.connection({ state: 'closed' });
+  }
+
+  /** Says something to the service; without a connection nobody hears it. */
+  say(message: object): void {
+    if (this.open_) this.socket_?.send(JSON.stringify(message));
   }
 
   /** Tries now instead of after the pause, e.g. because the network is back. */
@@ -95,7 +102,10 @@ export class JobStream {
     this.socket_ = socket;
     socket.binaryType = 'arraybuffer';
     socket.onmessage = (event) => this.receive(event.data);
-    socket.onopen = () => this.handlers_.connection({ state: 'open' });
+    socket.onopen = () => {
+      this.open_ = true;
+      this.handlers_.connection({ state: 'open' });
+    };
     socket.onclose = (event) => this.closed(socket, event.code, event.reason);
   }
 
@@ -138,6 +148,7 @@ export class JobStream {
   private drop(): void {
     const socket = this.socket_;
     this.socket_ = null;
+    this.open_ = false;
     if (!socket) return;
     socket.onopen = null;
     socket.onmessage = null;

@@ -4,7 +4,7 @@
 import { decodeTopology, FrameReader, MessageType, messageType, type ClothTopology } from './frames';
 import { FrameSlot, type Moment } from './FrameSlot';
 import { JobStream, type Clock, type Socket, type StreamConnection } from './JobStream';
-import type { StreamText } from './types';
+import type { StreamText, StreamWord } from './types';
 
 export interface ReceiverHandlers {
   connection(connection: StreamConnection): void;
@@ -41,6 +41,10 @@ export class StreamReceiver {
 
   poke(): void {
     this.stream_.poke();
+  }
+
+  say(word: StreamWord): void {
+    this.stream_.say(word);
   }
 
   giveBack(positions: Float32Array<ArrayBuffer>): void {

@@ -3,13 +3,14 @@
 import type { ClothTopology } from './frames';
 import type { Moment } from './FrameSlot';
 import type { StreamConnection } from './JobStream';
-import type { StreamText } from './types';
+import type { StreamText, StreamWord } from './types';
 
 /** `watch` numbers tell answers for the job that is shown from late ones for the job before. */
 export type ToWorker =
   | { type: 'watch'; watch: number; url: string }
   | { type: 'leave' }
   | { type: 'poke' }
+  | { type: 'say'; word: StreamWord }
   | { type: 'buffer'; positions: Float32Array<ArrayBuffer> };
 
 export type FromWorker =

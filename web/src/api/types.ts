@@ -80,6 +80,9 @@ export type ImportedEntity = One<Import['report']['entities']>;
 export type ImportWarning = One<Import['report']['warnings']>;
 export type Unit = NonNullable<Question<'importPattern'>['unit']>;
 
+/** What a viewer may say on a job's stream. */
+export type StreamWord = Schemas['Control'] | Schemas['Pull'] | Schemas['Pin'] | Schemas['Unpin'];
+
 /** Text messages of a job's stream. */
 export type StreamText =
   | Schemas['JobMessage']

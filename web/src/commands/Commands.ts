@@ -3,7 +3,7 @@
 import type { Api, JobAction } from '../api/Api';
 import { makeDressingApi, type DressingApi } from '../api/dressing';
 import { fetchSample, type Sample } from '../api/samples';
-import type { Job, Project } from '../api/types';
+import type { Job, Project, StreamWord } from '../api/types';
 import type { AppState, View } from '../state/AppState';
 import { loading, ready, valueOf } from '../state/AppState';
 import { isPicture, planIntake, type GivenFile, type IntakePlan } from '../state/intake';
@@ -12,6 +12,7 @@ import type { Fix } from '../state/outcome';
 import { formatRoute, type Route } from '../state/routes';
 import { DressingCommands } from './DressingCommands';
 import { ImportCommands } from './ImportCommands';
+import { LiveCommands } from './LiveCommands';
 import { asApiError, notify, notifyError } from './notices';
 import { PatternCommands } from './PatternCommands';
 import { SweepCommands } from './SweepCommands';
@@ -26,6 +27,10 @@ export interface Surroundings {
   newKey(): string;
   /** Loads the page as for somebody who has just come. */
   anew(): void;
+  /** Looks at another drape from where this one is seen. */
+  follow(jobId: string): void;
+  /** Says something to the drape that is watched. */
+  say(word: StreamWord): void;
 }
 
 export class Commands {
@@ -34,6 +39,7 @@ export class Commands {
   readonly dressing: DressingCommands;
   readonly textures: TextureCommands;
   readonly sweeps: SweepCommands;
+  readonly live: LiveCommands;
 
   constructor(
     private readonly state_: AppState,
@@ -48,6 +54,7 @@ export class Commands {
     this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
     this.sweeps = new SweepCommands(state_, api_, (route) => this.open(route), () => around_.newKey(), refresh_);
     this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));
+    this.live = new LiveCommands(state_, (word) => around_.say(word));
     this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);
   }
 
@@ -89,6 +96,24 @@ export class Commands {
     } finally {
       submitting.value = false;
     }
+  }
+
+  /** The edited project in place of the drape that is under way: the page follows to it by itself. */
+  async goOn(): Promise<void> {
+    const { job, outdated, submitting } = this.state_;
+    const shown = job.value;
+    if (!shown || !outdated.value || submitting.value) return;
+    submitting.value = true;
+    try {
+      const next = await this.api_.goOn(shown.id, this.around_.newKey());
+      this.state_.putJob(next);
+      this.around_.follow(next.id);
+    } catch (error) {
+      notifyError(this.state_, error);
+    } finally {
+      submitting.value = false;
+    }
+    this.refresh_();
   }
 
   async act(action: JobAction): Promise<void> {

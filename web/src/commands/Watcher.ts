@@ -25,6 +25,8 @@ export class Watcher {
     private readonly api_: Api,
     private readonly stream_: Pick<ClothStream, 'watch' | 'leave' | 'poke'>,
     private readonly refresh_: () => void,
+    /** Takes the page's address to a drape. */
+    private readonly go_: (id: string) => void = () => undefined,
   ) {}
 
   start(): void {
@@ -68,6 +70,20 @@ export class Watcher {
     if (!id) return this.stream_.leave();
     this.stream_.watch(this.api_.streamUrl(id));
     void this.loadBody(id);
+  }
+
+  /** To the drape that goes on in place of the one that is watched: what is seen stays until its cloth comes. */
+  follow(id: string): void {
+    const state = this.state_;
+    if (state.watched.value === id || state.watched.value === null) return;
+    state.watched.value = id;
+    state.progress.value = null;
+    state.history.value = [];
+    state.report.value = null;
+    this.clothOf_ = '';
+    this.stream_.watch(this.api_.streamUrl(id));
+    this.go_(id);
+    void this.loadBody(id, true);
   }
 
   /** The service is back, or a body that was not there yet may be now. */
@@ -134,15 +150,17 @@ export class Watcher {
     this.state_.progress.value = last;
     if (job.id === this.state_.watched.value) {
       this.state_.putJob(job);
+      if (job.reason_code === 'superseded') return this.follow(job.reason_where);
       if (this.moved_ === job.id) void this.loadBody(job.id); // it stands elsewhere now
     }
     this.refresh_();
   }
 
-  private async loadBody(id: string): Promise<void> {
+  /** `quietly`: the one that is seen stays until the other is there. */
+  private async loadBody(id: string, quietly = false): Promise<void> {
     const { body, watched } = this.state_;
     if (body.value?.state === 'loading') return;
-    body.value = loading;
+    if (!quietly) body.value = loading;
     try {
       const mesh = await this.api_.body(id);
       if (watched.value === id) body.value = ready(mesh);

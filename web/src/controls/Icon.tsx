@@ -3,6 +3,7 @@
 const kPaths = {
   plus: 'M8 3v10M3 8h10',
   play: 'M5 3.2v9.6l8-4.8z',
+  step: 'M4 3.2v9.6l6-4.8zM12 3.5v9',
   pause: 'M5.5 3.5v9M10.5 3.5v9',
   stop: 'M4.5 4.5h7v7h-7z',
   list: 'M2.5 4h11M2.5 8h11M2.5 12h11',

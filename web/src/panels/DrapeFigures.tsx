@@ -7,6 +7,7 @@ import { isActive } from '../state/jobs';
 import { cssColour } from '../state/patternGeometry';
 import { count, duration, seconds, speed } from '../state/words';
 import { OutcomeList } from './OutcomeList';
+import { PinList } from './PinList';
 import { SolverField } from './SolverField';
 import { t } from '../texts/language';
 
@@ -17,6 +18,7 @@ export function DrapeFigures() {
     <>
       <OutcomeList />
       {job && <Speed samples={state.history.value} job={job} />}
+      <PinList />
       {job && <Facts job={job} />}
       <SolverField />
       <Parts />

@@ -4,7 +4,8 @@ import type { Job, Progress, Report } from '../api/types';
 import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { activity, overall } from '../state/jobs';
-import { count, millimetres, percent, seconds, speed } from '../state/words';
+import { timeLeft } from '../state/timeLeft';
+import { count, duration, millimetres, percent, seconds, speed } from '../state/words';
 import { t } from '../texts/language';
 import { fixed } from '../texts/numbers';
 
@@ -18,7 +19,12 @@ export function StatusBar() {
       </footer>
     );
   const report = valueOf(state.report.value ?? loading);
-  const figures = { ...(report && ended(report)), ...(job.progress && underWay(job.progress)) };
+  const left = job.state === 'running' && job.progress ? timeLeft(job.progress, state.history.value) : null;
+  const figures = {
+    ...(report && ended(report)),
+    ...(job.progress && underWay(job.progress)),
+    ...(left !== null && { left }),
+  };
   return (
     <footer class={`status state-${job.state}`} aria-label={t.frame.status}>
       <span class="status-phase">
@@ -42,6 +48,8 @@ interface StatusFigures {
   speed?: number;
   gapMm?: number;
   crossings?: number;
+  /** s by the clock, guessed. */
+  left?: number;
 }
 
 const underWay = (progress: Progress): StatusFigures => ({
@@ -76,6 +84,9 @@ function Figures({ figures }: { figures: StatusFigures }) {
       <Figure label={t.frame.figures.speed} value={said(figures.speed, speed)} />
       <Figure label={t.frame.figures.gap} value={said(gapMm, millimetres)} />
       <Figure label={t.frame.figures.crossings} value={said(crossings, count)} bad={(crossings ?? 0) > 0} />
+      {figures.left !== undefined && (
+        <Figure label={t.frame.figures.left} value={t.frame.about(duration(Math.max(1, Math.round(figures.left))))} />
+      )}
     </>
   );
 }

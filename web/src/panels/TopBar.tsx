@@ -106,11 +106,26 @@ function Dialogs({ offline }: { offline: boolean }) {
   );
 }
 
+/** Of a drape that is paused: by one frame, or from here on. */
+function GoOn({ offline }: { offline: boolean }) {
+  const commands = useCommands();
+  return (
+    <>
+      <button class="plain" disabled={offline} onClick={() => void commands.act('step')} title={t.frame.stepKey}>
+        <Icon name="step" /> {t.frame.step}
+      </button>
+      <button class="primary" disabled={offline} onClick={() => void commands.act('resume')} title={t.frame.resumeKey}>
+        <Icon name="play" /> {t.frame.resume}
+      </button>
+    </>
+  );
+}
+
 function Actions() {
   const state = useAppState();
   const commands = useCommands();
   const job = state.job.value;
-  const can = job ? commandsOf(job.state) : { pause: false, resume: false, cancel: false };
+  const can = commandsOf(job?.state ?? 'cancelled');
   const offline = state.link.value.state === 'lost';
   const active = job !== null && isActive(job.state);
   return (
@@ -126,11 +141,7 @@ function Actions() {
           <Icon name="pause" /> {t.frame.pause}
         </button>
       )}
-      {can.resume && (
-        <button class="primary" disabled={offline} onClick={() => void commands.act('resume')} title={t.frame.resumeKey}>
-          <Icon name="play" /> {t.frame.resume}
-        </button>
-      )}
+      {can.resume && <GoOn offline={offline} />}
       {!active && state.projectId.value && !job?.sweep && (
         <button
           class="primary"

@@ -1,11 +1,13 @@
 // What lies under the pointer in the 3D view: a ray from the camera through it.
 
-import { Raycaster, Vector2, Vector3, type PerspectiveCamera } from 'three';
+import { Plane, Raycaster, Vector2, Vector3, type Intersection, type PerspectiveCamera } from 'three';
 import type { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Place } from '../api/dressing';
+import type { ClothPoint } from '../state/hands';
 import type { BoxPlace } from '../tools/SceneTool';
 import type { BodyMarks } from './BodyMarks';
 import type { BodyObject } from './BodyObject';
+import { clothPoint } from './clothPoint';
 import type { ClothObject } from './ClothObject';
 import type { Ray } from './SceneHands';
 
@@ -40,20 +42,35 @@ export class PointerRay implements Ray {
     return this;
   }
 
-  piece(): string | null {
+  /** Where the ray meets the cloth; null where the body is in the way. */
+  private hit(): Intersection | null {
     const { cloth, body } = this.scene_;
     const { mesh } = cloth;
     if (!mesh || !cloth.positions) return null;
     const hit = this.raycaster_.intersectObjects(body.mesh.visible ? [mesh, body.mesh] : [mesh], false)[0];
-    return hit?.object === mesh ? cloth.pieceAt(hit) : null;
+    return hit?.object === mesh ? hit : null;
+  }
+
+  piece(): string | null {
+    const hit = this.hit();
+    return hit && this.scene_.cloth.pieceAt(hit);
   }
 
   mapValue(): number {
-    const { cloth, body } = this.scene_;
-    const { mesh } = cloth;
-    if (!mesh || !cloth.positions) return NaN;
-    const hit = this.raycaster_.intersectObjects(body.mesh.visible ? [mesh, body.mesh] : [mesh], false)[0];
-    return hit?.object === mesh ? cloth.valueAt(hit) : NaN;
+    const hit = this.hit();
+    return hit ? this.scene_.cloth.valueAt(hit) : NaN;
+  }
+
+  cloth(): ClothPoint | null {
+    const hit = this.hit();
+    const { topology, positions } = this.scene_.cloth;
+    return hit && topology && positions && clothPoint(hit, topology, positions);
+  }
+
+  beside(at: Place): Place {
+    const ahead = this.scene_.camera.getWorldDirection(new Vector3());
+    const plane = new Plane().setFromNormalAndCoplanarPoint(ahead, new Vector3(...at));
+    return this.raycaster_.ray.intersectPlane(plane, new Vector3())?.toArray() ?? at;
   }
 
   landmark(): string | null {

@@ -10,6 +10,7 @@ import { useAppState } from '../state/context';
 import { activity, isActive, overall, placeInQueue } from '../state/jobs';
 import { capital, percent } from '../state/words';
 import { sceneTools } from '../tools/table';
+import { HandHint, HandTools } from './HandTools';
 import { paintByTheme, token } from './theme';
 import { MapChoice, MapLegend } from './MapLegend';
 import type { SceneView } from './SceneView';
@@ -92,14 +93,15 @@ export function ScenePane(props: ScenePaneProps) {
         (props.told ?? <Overlay />)
       )}
       <Busy />
-      <ViewTools />
+      <ViewTools hands={props.told === undefined} />
+      {props.told === undefined && <HandHint />}
       <MapLegend />
     </section>
   );
 }
 
 /** From where it is seen, and what is shown. */
-function ViewTools() {
+function ViewTools({ hands }: { hands: boolean }) {
   const { bodyShown, meshShown } = useAppState();
   const commands = useCommands();
   return (
@@ -119,6 +121,7 @@ function ViewTools() {
       <Toggle on={bodyShown.value} title={t.scene.bodyKey} label={t.scene.body} flip={() => (bodyShown.value = !bodyShown.value)} />
       <Toggle on={meshShown.value} title={t.scene.meshKey} label={t.scene.mesh} flip={() => (meshShown.value = !meshShown.value)} />
       <MapChoice />
+      {hands && <HandTools />}
     </div>
   );
 }
@@ -131,6 +134,8 @@ function connect(scene: SceneView, state: AppState): () => void {
     effect(() => scene.setBody(state.shownBody.value)),
     effect(() => scene.setStart(state.beforeDrape.value ? state.dressing.start.value : null)),
     effect(() => scene.setTools(state.atHome.value ? [] : sceneTools.filter((tool) => tool.isHeld(state)))),
+    effect(() => scene.setPins(state.touchable.value ? (state.job.value?.progress?.pins ?? []) : [], state.hands.litPin.value)),
+    effect(() => scene.setHeld(state.hands.held.value)),
     effect(() => scene.setFigures(state.beforeDrape.value ? (state.dressing.bodies.value ?? []) : [])),
     effect(() => scene.showMarks(state.shownMarks.value, state.dressing.lit.value)),
     effect(() => {
@@ -186,6 +191,7 @@ function Overlay() {
   const state = useAppState();
   const job = state.job.value;
   if (state.atHome.value) return job && <Caption job={job} />;
+  if (state.outdated.value && !state.beforeDrape.value) return <Outdated />;
   if (state.covered.value) return state.since.value && !state.beforeDrape.value ? <Older /> : null;
   if (job) return <WithoutCloth job={job} />;
   return state.route.value.name === 'project' && state.project.value ? <NotDraped /> : null;
@@ -233,6 +239,22 @@ function Older() {
       <button class="plain" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
         {t.common.drapeAgain}
       </button>
+    </div>
+  );
+}
+
+/** The drape under way is of the pattern as it was; what it may go on with by itself is taken over at once. */
+function Outdated() {
+  const state = useAppState();
+  const commands = useCommands();
+  return (
+    <div class="scene-message strip" role="status">
+      <p>{state.goesOnWarm.value ? t.scene.takesOver : t.scene.changed}</p>
+      {!state.goesOnWarm.value && (
+        <button class="plain" disabled={state.submitting.value} onClick={() => void commands.goOn()}>
+          {t.scene.takeOver}
+        </button>
+      )}
     </div>
   );
 }

@@ -6,9 +6,11 @@ import type { BodyMesh } from '../api/body';
 import type { View } from '../state/AppState';
 import type { LiveCloth } from '../state/LiveCloth';
 import type { Finding, ProjectBody, Start } from '../api/dressing';
+import type { Progress } from '../api/types';
 import type { Marks } from '../state/dressing';
 import type { ClothMap } from '../state/clothMaps';
 import type { Finish } from '../state/fabrics';
+import type { Held } from '../state/hands';
 import type { SeamPart } from '../state/seamView';
 import type { Look } from '../state/texture';
 import type { Hand } from '../tools/PatternTool';
@@ -17,6 +19,7 @@ import { BodyMarks } from './BodyMarks';
 import { BodyObject } from './BodyObject';
 import { ClothObject } from './ClothObject';
 import { DrawPace } from './DrawPace';
+import { HandMarks } from './HandMarks';
 import { boundsOf, closeUp, footprints, kBodyOnly, kFov, poseFor, poseOf, type Bounds, type Pose } from './framing';
 import { PointerRay } from './PointerRay';
 import { finestRatio, hasGraphicsCard, makeRenderer } from './renderer';
@@ -35,6 +38,7 @@ export class SceneView {
   private readonly cloth_: ClothObject;
   private readonly body_: BodyObject;
   private readonly marks_ = new BodyMarks();
+  private readonly handMarks_ = new HandMarks();
   /** Shown in place of the drape's cloth. */
   private start_: Start | null = null;
   private readonly resizer_: ResizeObserver;
@@ -67,7 +71,7 @@ export class SceneView {
       hovered: new Color('#ffffff'),
     });
     this.body_ = new BodyObject(0xcfc8bf);
-    this.scene_.add(this.studio_.group, this.body_.mesh, this.cloth_.group, this.marks_.group);
+    this.scene_.add(this.studio_.group, this.body_.mesh, this.cloth_.group, this.marks_.group, this.handMarks_.group);
     this.camera_ = new SceneCamera(canvas_, () => this.invalidate());
     this.camera_.apply(poseFor('three-quarter', kBodyOnly, kFov, 1));
     this.renderer_.compile(this.scene_, this.camera_.camera);
@@ -111,6 +115,17 @@ export class SceneView {
 
   showMarks(marks: Marks, lit: string | null): void {
     this.marks_.show(marks, lit);
+    this.invalidate();
+  }
+
+  setPins(pins: Progress['pins'], lit: number | null): void {
+    this.handMarks_.setPins(pins, lit);
+    this.invalidate();
+  }
+
+  setHeld(held: Held | null): void {
+    this.handMarks_.setHeld(held);
+    this.handMarks_.follow(this.cloth_.topology, this.cloth_.positions);
     this.invalidate();
   }
 
@@ -202,6 +217,7 @@ export class SceneView {
     this.camera_.dispose();
     this.cloth_.dispose();
     this.marks_.dispose();
+    this.handMarks_.dispose();
     this.body_.dispose();
     this.studio_.dispose();
     this.renderer_.dispose();
@@ -237,6 +253,7 @@ export class SceneView {
     this.newFrame_ = false;
     this.caughtUp_ = true;
     this.cloth_.setPositions(positions);
+    this.handMarks_.follow(this.cloth_.topology, this.cloth_.positions);
     return true;
   }
 

@@ -11,6 +11,7 @@ import { ComparisonState } from './comparison';
 import { DressingState, type Marks } from './dressing';
 import { EditingState, keepsTheShape, stepText } from './editing';
 import { finishOf, type Finish } from './fabrics';
+import { HandsState } from './hands';
 import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
 import { isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
@@ -84,6 +85,7 @@ export class AppState {
   readonly hovered: Signal<string | null> = signal(null);
   readonly editing = new EditingState();
   readonly dressing = new DressingState();
+  readonly hands = new HandsState();
   /** Of the two drapes that stand side by side. */
   readonly comparison = new ComparisonState();
   readonly sweeps = new SweepState();
@@ -157,6 +159,29 @@ export class AppState {
     if (job === null || ['body', 'arrange'].includes(this.tab.value)) return true;
     // What failed or was cancelled early has no cloth to show: its pieces stand where it began.
     return (job.state === 'failed' || job.state === 'cancelled') && !this.covered.value && !job.results?.['final.obj'];
+  });
+
+  /** Whether hands reach the cloth that is shown: it drapes, and the way to it is open. */
+  readonly touchable: ReadonlySignal<boolean> = computed(() => {
+    const job = this.job.value;
+    if (!job || this.atHome.value || this.beforeDrape.value || !this.covered.value) return false;
+    const drapes = job.state === 'running' || job.state === 'paused';
+    return drapes && job.progress?.phase !== 'stills' && this.stream.value.state === 'open';
+  });
+
+  /** The project was edited since the shown drape, which is still under way, was begun. */
+  readonly outdated: ReadonlySignal<boolean> = computed(() => {
+    const job = this.job.value;
+    const project = this.project.value;
+    return job !== null && project !== null && isActive(job.state) && project.revision > job.project_revision;
+  });
+
+  /** And its cloth, which hangs, may go on hanging after all that was edited. */
+  readonly goesOnWarm: ReadonlySignal<boolean> = computed(() => {
+    const job = this.job.value;
+    if (!job || !this.outdated.value || !this.touchable.value || job.progress?.phase !== 'drape') return false;
+    const steps = this.editing.history.value.filter((step) => step.created_ms > job.created_ms);
+    return steps.length > 0 && steps.every(({ edits }) => edits.every(keepsTheShape));
   });
 
   private readonly stepsSince_: ReadonlySignal<readonly EditStep[] | null> = computed(() => {

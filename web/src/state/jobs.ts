@@ -1,5 +1,6 @@
 // Facts about jobs that several panels need. Pure.
 
+import type { JobAction } from '../api/Api';
 import type { Job, JobState, Progress } from '../api/types';
 import { t } from '../texts/language';
 
@@ -38,9 +39,10 @@ export function activity(state: JobState, phase: string | undefined): string {
   return stateName(state);
 }
 
-export const commandsOf = (state: JobState): { pause: boolean; resume: boolean; cancel: boolean } => ({
+export const commandsOf = (state: JobState): Record<JobAction, boolean> => ({
   pause: state === 'running' || state === 'queued',
   resume: state === 'paused',
+  step: state === 'paused',
   cancel: isActive(state),
 });
 

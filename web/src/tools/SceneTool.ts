@@ -3,6 +3,7 @@
 
 import type { Place, PieceWish } from '../api/dressing';
 import type { AppState } from '../state/AppState';
+import type { ClothPoint } from '../state/hands';
 import type { Hand } from './PatternTool';
 
 /** Where on a box something comes to lie. */
@@ -13,6 +14,10 @@ export interface SceneTouch {
   piece(): string | null;
   /** Of the map on the cloth; NaN where there is none. */
   mapValue(): number;
+  /** A point of the cloth, where it is nearer than the body. */
+  cloth(): ClothPoint | null;
+  /** The place under the pointer that is as deep in the picture as `at`, m. */
+  beside(at: Place): Place;
   landmark(): string | null;
   /** A place of the body, under cloth or not. */
   skin(): Place | null;

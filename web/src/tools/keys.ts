@@ -32,6 +32,26 @@ function taking(tool: PatternTool): Binding {
 
 export const bindings: Binding[] = [
   { key: ' ', shown: 'Space', title: () => t.keys.does.run, group: 'drape', work: true, run: (c) => void c.runOrPause() },
+  { key: '.', shown: '.', title: () => t.keys.does.step, group: 'drape', work: true, run: (c) => void c.act('step') },
+  {
+    key: 'g',
+    shown: 'G',
+    title: () => t.keys.does.pull,
+    group: 'drape',
+    work: true,
+    run: (c, s) => s.touchable.value && c.live.take('pull'),
+  },
+  {
+    key: 'i',
+    shown: 'I',
+    title: () => t.keys.does.pin,
+    group: 'drape',
+    work: true,
+    run: (c, s) => {
+      if (s.hands.held.value) c.live.pinHeld();
+      else if (s.touchable.value) c.live.take('pin');
+    },
+  },
   { key: 'o', shown: 'O', title: () => t.keys.does.newProject, group: 'drape', run: (c) => c.openIntake() },
   ...patternTools.map(taking),
   {
@@ -124,7 +144,7 @@ export const bindings: Binding[] = [
     group: 'help',
     run: (c, s) => {
       if (s.helpShown.value) s.helpShown.value = false;
-      else if (!c.pattern.cancel()) c.select(null);
+      else if (!c.live.putAway() && !c.pattern.cancel()) c.select(null);
     },
   },
 ];

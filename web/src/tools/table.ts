@@ -3,10 +3,12 @@
 import { landmarks } from './landmarks';
 import type { PatternTool } from './PatternTool';
 import { pick } from './pick';
+import { pin } from './pin';
 import { pieces } from './pieces';
 import { places } from './places';
 import { points } from './points';
 import { probe } from './probe';
+import { pull } from './pull';
 import type { SceneTool } from './SceneTool';
 import { select } from './select';
 import { sew } from './sew';
@@ -15,7 +17,7 @@ import { sew } from './sew';
 export const patternTools: readonly PatternTool[] = [pieces, points, sew];
 
 /** Of the 3D view: what comes earlier is asked first. */
-export const sceneTools: readonly SceneTool[] = [pick, landmarks, places, probe, select];
+export const sceneTools: readonly SceneTool[] = [pick, landmarks, places, pull, pin, probe, select];
 
 /** The tool of the 2D view that the state names. */
 export const toolOf = (id: string): PatternTool => patternTools.find((tool) => tool.id === id) ?? pieces;

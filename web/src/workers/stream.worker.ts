@@ -40,6 +40,8 @@ scope.onmessage = ({ data }) => {
       return;
     case 'poke':
       return receiver?.poke();
+    case 'say':
+      return receiver?.say(data.word);
     case 'buffer':
       return receiver?.giveBack(data.positions);
   }

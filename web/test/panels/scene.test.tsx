@@ -7,6 +7,7 @@ import { MapChoice, MapLegend } from '../../src/scene/MapLegend';
 import { SceneHands, type Ray } from '../../src/scene/SceneHands';
 import { ScenePane } from '../../src/scene/ScenePane';
 import { ready, type AppState } from '../../src/state/AppState';
+import type { ClothPoint } from '../../src/state/hands';
 import { sceneTools } from '../../src/tools/table';
 import type { BoxPlace } from '../../src/tools/SceneTool';
 import type { Place } from '../../src/api/dressing';
@@ -24,6 +25,8 @@ class FakeRay implements Ray {
   skinThere: Place | null = null;
   boxThere: BoxPlace | null = null;
   valueThere = NaN;
+  clothThere: ClothPoint | null = null;
+  besideThere: Place = [0, 0, 0];
   said: unknown[] = [];
 
   through = (): this => this;
@@ -32,6 +35,8 @@ class FakeRay implements Ray {
   skin = (): Place | null => this.skinThere;
   mapValue = (): number => this.valueThere;
   box = (): BoxPlace | null => this.boxThere;
+  cloth = (): ClothPoint | null => this.clothThere;
+  beside = (): Place => this.besideThere;
   openBoxes = (open: boolean): void => void this.said.push(open ? 'boxes' : 'no boxes');
   moveLandmark = (name: string, to: Place): void => void this.said.push([name, to]);
 }
@@ -189,6 +194,43 @@ describe('the hand in the 3D view', () => {
       ['dressing.mark', 'belt', [0, 1, 0]],
       ['select', null],
     ]);
+  });
+
+  const draping = (tool: 'pull' | 'pin') => (state: AppState): void => {
+    state.jobs.value = ready([jobOf({ state: 'running' })]);
+    state.stream.value = { state: 'open' };
+    state.covered.value = true;
+    state.tab.value = 'drape';
+    state.hands.tool.value = tool;
+  };
+  const point: ClothPoint = { triangle: 4, shares: [1, 0, 0], at: [0, 1, 0] };
+
+  it('pulls at cloth while it drapes, and turns the view beside it', () => {
+    const { ray, controls, down, move, up } = take(draping('pull'));
+    ray.clothThere = point;
+    down();
+    expect(controls.enabled).toBe(false);
+    ray.besideThere = [0.2, 1.1, 0];
+    move(30);
+    up(30);
+    expect(controls.enabled).toBe(true);
+    expect(page.asked()).toEqual([['live.hold', point], ['live.draw', [0.2, 1.1, 0]], ['live.letGo']]);
+    ray.clothThere = null;
+    down();
+    expect(controls.enabled).toBe(true);
+    up(30);
+    expect(page.asked()).toEqual([]);
+  });
+
+  it('pins the point that is clicked', () => {
+    const { ray, down, move, up } = take(draping('pin'));
+    ray.clothThere = point;
+    down();
+    up(1);
+    down();
+    move(40); // turns the view
+    up(40);
+    expect(page.asked()).toEqual([['live.pin', point]]);
   });
 
   it('lets go of what its tools may no longer hold', () => {

@@ -787,6 +787,29 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/step": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Let a paused drape go on to its next streamed frame
+         * @description It runs until the next frame, or its end, and is paused again.
+         */
+        post: operations["stepJob"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/cancel": {
         parameters: {
             query?: never;
@@ -824,6 +847,31 @@ export interface paths {
          * @description A new job of the document and files of then, whatever has become of the project since.
          */
         post: operations["retryJob"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/go_on": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Go on with the project as it is by now
+         * @description For edits while a drape is under way. Makes a new job of the project in its present state, which begins with the cloth as it hangs just
+         *     now, cut to the edited pieces (from the pieces where it does not hang yet), and ends this one as cancelled, with the code `superseded` and
+         *     the new job's id as reason_where. Its stream says so in its last message; whoever looks on goes to the new job's stream.
+         */
+        post: operations["goOnJob"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2217,6 +2265,20 @@ export interface components {
             cloth_cloth: number;
             /** @description wall time of a substep */
             step_ms: number;
+            /** @description hands that hold the cloth just now */
+            pulls: number;
+            /** @description Points of the cloth that are pinned, in the order in which they were set */
+            pins: components["schemas"]["LivePin"][];
+        };
+        LivePin: {
+            /** @description Its number */
+            pin: number;
+            /** @description m; where it holds the cloth */
+            place: [
+                number,
+                number,
+                number
+            ];
         };
         /** @enum {string} */
         FinalState: "succeeded" | "failed" | "cancelled";
@@ -2451,7 +2513,9 @@ export interface components {
          *         "seam_gap_mm": 0,
          *         "cloth_body": 0,
          *         "cloth_cloth": 0,
-         *         "step_ms": 1.9
+         *         "step_ms": 1.9,
+         *         "pulls": 0,
+         *         "pins": []
          *       }
          *     }
          */
@@ -3988,8 +4052,42 @@ export interface components {
         };
         Control: {
             /** @enum {unknown} */
-            type: "pause" | "resume" | "cancel";
+            type: "pause" | "resume" | "step" | "cancel" | "let_go";
         };
+        Pull: {
+            /** @constant */
+            type: "pull";
+            /** @description of the topology */
+            epoch: number;
+            triangle: number;
+            shares: components["schemas"]["Shares"];
+            /** @description m */
+            to: [
+                number,
+                number,
+                number
+            ];
+        };
+        Pin: {
+            /** @constant */
+            type: "pin";
+            /** @description of the topology */
+            epoch: number;
+            triangle: number;
+            shares: components["schemas"]["Shares"];
+        };
+        Unpin: {
+            /** @constant */
+            type: "unpin";
+            /** @description its number, as progress has it */
+            pin: number;
+        };
+        /** @description Of the triangle's corners, in their order; their sum is 1 */
+        Shares: [
+            number,
+            number,
+            number
+        ];
         EndedJob: components["schemas"]["JobFields"];
         JobProgress: components["schemas"]["ProgressFields"];
     };
@@ -5838,6 +5936,24 @@ export interface operations {
             default: components["responses"]["Problem"];
         };
     };
+    stepJob: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["Job"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
     cancelJob: {
         parameters: {
             query?: never;
@@ -5879,6 +5995,34 @@ export interface operations {
             201: components["responses"]["JobMade"];
             404: components["responses"]["Problem"];
             409: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    goOnJob: {
+        parameters: {
+            query?: never;
+            header?: {
+                /**
+                 * @description 1 to 200 printable characters, for a request that may be sent again because its answer got lost. What the
+                 *     first one made is answered with 201, and with 200 from then on.
+                 * @example 5f0c1b9e-7a52-4b0e-9a53-2a0f1f1a7a11
+                 */
+                "Idempotency-Key"?: components["parameters"]["IdempotencyKey"];
+            };
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["JobMade"];
+            201: components["responses"]["JobMade"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            429: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };

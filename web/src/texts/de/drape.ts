@@ -21,6 +21,12 @@ export const drape: Texts['drape'] = {
     particles: 'Netzpunkte',
     triangles: 'Dreiecke',
   },
+  pins: {
+    title: 'Nadeln',
+    one: (n) => `Nadel ${n}`,
+    height: (height) => `in ${height} Höhe`,
+    remove: (n) => `Nadel ${n} entfernen`,
+  },
   starting: 'Beginnt',
   states: {
     queued: 'Wartet',

@@ -29,6 +29,9 @@ export const keys: Texts['keys'] = {
   },
   does: {
     run: 'Drapieren, anhalten oder fortsetzen',
+    step: 'Ein Bild, dann anhalten',
+    pull: 'Am Stoff ziehen',
+    pin: 'Den Stoff feststecken',
     newProject: 'Neues Projekt aus Dateien',
     finishSide: 'Zur anderen Seite, dann nähen',
     delete: 'Auswahl löschen',

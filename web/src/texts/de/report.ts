@@ -140,6 +140,10 @@ export const report: Texts['report'] = {
       title: 'Manifest',
       hint: 'Woraus sie entstand und was herauskam, als Prüfsummen: toile verify drapiert sie nach',
     },
+    hands: {
+      title: 'Protokoll der Hände',
+      hint: 'Was Hände wann am Stoff taten; damit wird er wieder genauso drapiert',
+    },
     sewn: {
       title: 'Genähte Paare',
       hint: 'Welche Netzpunkte zusammengenäht sind',

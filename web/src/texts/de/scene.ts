@@ -48,6 +48,16 @@ export const scene: Texts['scene'] = {
   whereBegan: 'Die Teile stehen, wo sie begann.',
   cancelled: 'Abgebrochen',
   changed: 'Das Projekt wurde seit dieser Drapierung geändert.',
+  hands: {
+    pull: { name: 'Ziehen', tip: 'Am Stoff ziehen', hint: 'Ziehen Sie am Stoff. I steckt fest, was Sie halten, Esc beendet.' },
+    pin: {
+      name: 'Stecken',
+      tip: 'Den Stoff feststecken, wo er ist',
+      hint: 'Klicken Sie auf den Stoff, wo er bleiben soll. Die Nadeln stehen unter Verlauf.',
+    },
+  },
+  takesOver: 'Die Änderung wird übernommen, während drapiert wird…',
+  takeOver: 'Mit der Änderung weiter',
   why: 'Warum',
   next: 'Sie ist die nächste; sobald ein Rechenplatz frei ist, beginnt sie.',
   inQueue: 'In der Warteschlange',

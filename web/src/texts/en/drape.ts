@@ -19,6 +19,12 @@ export const drape = {
     particles: 'Particles',
     triangles: 'Triangles',
   },
+  pins: {
+    title: 'Pins',
+    one: (n: number) => `Pin ${n}`,
+    height: (height: string) => `at a height of ${height}`,
+    remove: (n: number) => `Remove pin ${n}`,
+  },
   starting: 'Starting',
   states: {
     queued: 'Queued',

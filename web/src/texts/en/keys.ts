@@ -27,6 +27,9 @@ export const keys = {
   },
   does: {
     run: 'Start, pause or go on',
+    step: 'One frame, then pause',
+    pull: 'Pull at the cloth',
+    pin: 'Pin the cloth',
     newProject: 'New project from files',
     finishSide: 'Other side, then sew',
     delete: 'Delete what is selected',

@@ -139,6 +139,10 @@ export const report = {
       title: 'Manifest',
       hint: 'What it was made of and what came out, by hashes: toile verify drapes it again',
     },
+    hands: {
+      title: 'Log of hands',
+      hint: 'What hands did to the cloth, and when; with it the drape comes out the same again',
+    },
     sewn: {
       title: 'Sewn pairs',
       hint: 'Which vertices are sewn together',

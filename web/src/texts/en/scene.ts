@@ -47,6 +47,12 @@ export const scene = {
   whereBegan: 'Its pieces stand where it began.',
   cancelled: 'Cancelled',
   changed: 'The project has changed since this drape.',
+  hands: {
+    pull: { name: 'Pull', tip: 'Pull at the cloth', hint: 'Drag the cloth. I pins what you hold, Esc ends.' },
+    pin: { name: 'Pin', tip: 'Pin the cloth where it is', hint: 'Click the cloth where it is to stay. The pins are listed under Drape.' },
+  },
+  takesOver: 'Your change is taken over while it drapes…',
+  takeOver: 'Go on with the change',
   why: 'Why',
   next: 'It is next; a worker takes it as soon as one is free.',
   inQueue: 'In the queue',
