@@ -121,16 +121,12 @@ function GoOn({ offline }: { offline: boolean }) {
   );
 }
 
-function Actions() {
-  const state = useAppState();
+/** Of a drape that has not ended. */
+function UnderWay({ offline }: { offline: boolean }) {
   const commands = useCommands();
-  const job = state.job.value;
-  const can = commandsOf(job?.state ?? 'cancelled');
-  const offline = state.link.value.state === 'lost';
-  const active = job !== null && isActive(job.state);
+  const can = commandsOf(useAppState().job.value?.state ?? 'cancelled');
   return (
-    <div class="actions">
-      <Dialogs offline={offline} />
+    <>
       {can.cancel && (
         <button class="plain" disabled={offline} onClick={() => void commands.act('cancel')}>
           <Icon name="stop" /> {t.common.cancel}
@@ -142,6 +138,20 @@ function Actions() {
         </button>
       )}
       {can.resume && <GoOn offline={offline} />}
+    </>
+  );
+}
+
+function Actions() {
+  const state = useAppState();
+  const commands = useCommands();
+  const job = state.job.value;
+  const offline = state.link.value.state === 'lost';
+  const active = job !== null && isActive(job.state);
+  return (
+    <div class="actions">
+      <Dialogs offline={offline} />
+      <UnderWay offline={offline} />
       {!active && state.projectId.value && !job?.sweep && (
         <button
           class="primary"
