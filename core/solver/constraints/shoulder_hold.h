@@ -23,11 +23,15 @@ struct ShoulderHold {
   Vec3 neck, ridge;   ///< where the shoulder's slope begins; from there to its outer end
   /// The region in which it holds: shares of the ridge, how far to front and back of it, how far beneath.
   double share_from = 0, share_to = 1, across = 0, below = 0;
+  /// Share of the ridge within which cloth is at the neck: such a garment cannot slide off, and is free.
+  double share_at_neck = 0;
   std::vector<Held> held;
 };
 
-/// Whether it holds what is at `p`.
+/// Whether it holds what is at `p`, once it holds.
 bool holds_at(const ShoulderHold& hold, Vec3 p);
+/// Whether it holds: no cloth is at the neck.
+bool is_needed(const ShoulderHold& hold, std::span<const Vec3> x);
 
 /// One pass. `w` is 1/kg, 0 for what is pinned; `h` the step, s.
 void solve_shoulder_holds(std::span<const ShoulderHold> holds, std::span<const double> w, double h,

@@ -13,7 +13,7 @@ using solver::constraints::ShoulderHold;
 
 /// The left shoulder of somebody whose middle is at x = 0.1: it runs 10 cm out and falls by 4 cm.
 ShoulderHold hold_of(std::vector<ShoulderHold::Held> held) {
-  return {0.1, {0.16, 1.5, 0}, {0.1, -0.04, 0}, 0, 1.4, 0.06, 0.03, std::move(held)};
+  return {0.1, {0.16, 1.5, 0}, {0.1, -0.04, 0}, 0, 1.4, 0.06, 0.03, 0.3, std::move(held)};
 }
 
 std::vector<Vec3> passed(const ShoulderHold& hold, std::vector<Vec3> x, double h, double w = 1) {
@@ -39,6 +39,13 @@ TEST(ShoulderHold, LetsGoOfWhatIsNotOverTheShoulder) {
   const ShoulderHold hold = hold_of({{0, 0.12}});
   for (const Vec3 p : {Vec3{0.31, 1.45, 0}, Vec3{0.24, 1.4, 0}, Vec3{0.24, 1.49, 0.08}, Vec3{-0.05, 1.49, 0}})
     EXPECT_EQ(passed(hold, {p}, 1e-3)[0], p) << p.x << " " << p.y << " " << p.z;
+}
+
+TEST(ShoulderHold, IsNotNeededWhereClothIsAtTheNeck) {
+  const ShoulderHold hold = hold_of({{0, 0.12}, {1, 0.12}});
+  const Vec3 strap{0.221, 1.49, 0}, neckline{0.18, 1.5, 0};
+  EXPECT_EQ(passed(hold, {strap, neckline}, 1e-3)[0], strap);
+  EXPECT_FALSE(solver::constraints::bears(hold, std::vector<Vec3>{strap, neckline}));
 }
 
 TEST(ShoulderHold, MovesNoPinnedVertex) {
