@@ -118,8 +118,11 @@ void sew_side(Garment& g, const std::string& side) {
       series(right, {{top, "cap_front"}, {under, "cap_front"}}));
   sew(g, "armhole_back_" + side, series(right, {{back, "armhole"}, {rear, "armhole"}}),
       series(right, {{under, "cap_back"}, {top, "cap_back"}}));
-  for (const std::string edge : {"front_neck", "gorge_inner", "gorge_outer"})
-    sew(g, edge + "_" + side, {{"collar", edge + "_" + side}}, {{front, edge}});
+  const std::string of_side = "_" + side;
+  for (const std::string edge : {"front_neck", "gorge_inner", "gorge_outer"}) {
+    const std::string of_collar = edge + of_side;
+    sew(g, of_collar, {{"collar", of_collar}}, {{front, edge}});
+  }
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 #include "server/jobs/limits.h"
 #include "server/jobs/publisher.h"
 #include "server/jobs/sweeps.h"
-#include "server/jobs/wish.h"
 #include "server/jobs/touch_inbox.h"
+#include "server/jobs/wish.h"
 #include "server/store/store.h"
 
 namespace toile::jobs {

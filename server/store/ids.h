@@ -23,8 +23,8 @@ class IdSource {
   std::uint64_t last_chance_ = 0;  ///< the digits behind, of that id
 };
 
-/// Id of an upload: "a_" and 32 hex digits, of its kind, name and bytes. Who has the file knows it before it is
-/// there.
+/// Id of an upload: "a_" and 32 hex digits, of its kind, name and bytes. Who has the file knows it before it
+/// is there.
 std::string asset_id(std::string_view kind, std::string_view name, std::string_view bytes);
 
 /// Whether `text` has the form of an id of that letter.
