@@ -109,6 +109,25 @@ describe('the run key', () => {
   });
 });
 
+describe('a step', () => {
+  it('that is over before its answer comes does not leave the drape queued', async () => {
+    const stepped = jobOf({ state: 'queued' });
+    const begun = begin({
+      act: async () => {
+        begun.state.progress.value = progressOf({ state: 'paused', step: 60 }); // by the stream
+        return stepped;
+      },
+    });
+    const { commands, state } = begun;
+    state.putJob(jobOf({ state: 'paused' }));
+    state.route.value = { name: 'job', id: 'j_1' };
+    state.watched.value = 'j_1';
+    state.progress.value = progressOf({ state: 'paused', step: 50 });
+    await commands.act('step');
+    expect(state.job.value).toMatchObject({ state: 'paused', progress: { step: 60 } });
+  });
+});
+
 describe('after a drape that failed', () => {
   it('the run key does not start another until something has changed', async () => {
     const { commands, state, order } = begin();

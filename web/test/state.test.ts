@@ -189,8 +189,22 @@ describe('the live cloth', () => {
     cloth.setPositions(new Float32Array(3), moment);
     cloth.setTopology(topology(1));
     expect(cloth.positions).not.toBeNull();
-    cloth.setTopology(topology(1, 2));
-    expect(cloth.positions).toBeNull();
+  });
+
+  it('keeps it as well until the first frame of another cloth, and then has both at once', () => {
+    const cloth = new LiveCloth();
+    cloth.setTopology(topology(1));
+    const old = new Float32Array(3);
+    cloth.setPositions(old, moment);
+    const seen: unknown[] = [];
+    cloth.listen((event) => seen.push([event, cloth.topology?.epoch, cloth.positions?.length]));
+    cloth.setTopology(topology(2, 2));
+    expect([cloth.topology?.epoch, cloth.positions]).toEqual([1, old]);
+    expect(cloth.setPositions(new Float32Array(6), { ...moment, epoch: 2 })).toBeNull();
+    expect(seen).toEqual([
+      ['topology', 2, 6],
+      ['frame', 2, 6],
+    ]);
   });
 
   it('tells its listeners until they leave', () => {

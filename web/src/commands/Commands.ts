@@ -3,7 +3,7 @@
 import type { Api, JobAction } from '../api/Api';
 import { makeDressingApi, type DressingApi } from '../api/dressing';
 import { fetchSample, type Sample } from '../api/samples';
-import type { Job, Project, StreamWord } from '../api/types';
+import type { Job, Progress, Project, StreamWord } from '../api/types';
 import type { AppState, View } from '../state/AppState';
 import { loading, ready, valueOf } from '../state/AppState';
 import { isPicture, planIntake, type GivenFile, type IntakePlan } from '../state/intake';
@@ -119,8 +119,9 @@ export class Commands {
   async act(action: JobAction): Promise<void> {
     const job = this.state_.job.value;
     if (!job || !commandsOf(job.state)[action]) return;
+    const before = this.state_.progress.value;
     try {
-      this.took(await this.api_.act(job.id, action));
+      this.took(await this.api_.act(job.id, action), before);
     } catch (error) {
       notifyError(this.state_, error);
     }
@@ -318,10 +319,13 @@ export class Commands {
     return this.api_.createProject(plan.document, files);
   }
 
-  /** Late figures of the action's own answer must not be overtaken by older progress. */
-  private took(job: Job): void {
+  /**
+   * The answer to an action tells the state, unless the stream has told anything since it was asked for, `before` being
+   * what it had told then: a step may be over before its answer comes, and the stream tells all that follows in order.
+   */
+  private took(job: Job, before: Progress | null): void {
     const { progress } = this.state_;
-    if (progress.value) progress.value = { ...progress.value, state: job.state };
+    if (progress.value && progress.value === before) progress.value = { ...progress.value, state: job.state };
     this.state_.putJob(job);
   }
 }

@@ -21,6 +21,8 @@ export class LiveCloth {
   /** Frames taken since the job was opened. */
   frames = 0;
 
+  /** Of a cloth of which no frame has come. */
+  private coming_: ClothTopology | null = null;
   private readonly listeners_ = new Set<(event: ClothEvent) => void>();
 
   /** Returns how to unsubscribe. */
@@ -31,29 +33,37 @@ export class LiveCloth {
 
   clear(): void {
     this.topology = null;
+    this.coming_ = null;
     this.positions = null;
     this.moment = null;
     this.frames = 0;
     this.tell('cleared');
   }
 
+  /** What is seen stays in view until the first frame of another cloth: it must not blink. */
   setTopology(topology: ClothTopology): void {
     const same = this.topology?.vertexCount === topology.vertexCount && this.topology.epoch === topology.epoch;
-    this.topology = topology;
-    // After a lost connection the same cloth comes again: what was there stays in view until the first frame.
-    if (!same) {
-      this.positions = null;
-      this.moment = null;
+    if (this.positions && !same) {
+      this.coming_ = topology;
+      return;
     }
+    this.coming_ = null;
+    this.topology = topology;
     this.tell('topology');
   }
 
   /** Takes the newest positions and gives back the buffer they replace, to be filled again. */
   setPositions(positions: Float32Array, moment: FrameMoment): Float32Array | null {
-    const before = this.positions;
+    const other = this.coming_;
+    const before = other ? null : this.positions; // that of another cloth is of another size
     this.positions = positions;
     this.moment = moment;
     this.frames += 1;
+    if (other) {
+      this.coming_ = null;
+      this.topology = other;
+      this.tell('topology');
+    }
     this.tell('frame');
     return before;
   }
