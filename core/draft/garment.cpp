@@ -73,6 +73,8 @@ void lay_out(Garment& garment) {
   for (BentPlace& place : garment.bent) place.anchor.at = place.anchor.at + moved[place.anchor.piece];
   for (DraftedHold& hold : garment.holds)
     for (Vec2& at : hold.points) at = at + moved[hold.piece];
+  for (DraftedHooks& hooks : garment.hooks)
+    for (Vec2& at : hooks.points) at = at + moved[hooks.piece];
   for (PiecePlace& place : garment.places)
     place.translation = place.translation - rotated(moved[place.piece] * 1e-3, place.rotation);
 }

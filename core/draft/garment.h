@@ -71,6 +71,13 @@ struct DraftedHold {
   std::vector<std::string> edges = {};
 };
 
+/// Points of a piece that are led to places in space while the garment is sewn, and stay there.
+struct DraftedHooks {
+  std::string id, piece;
+  std::vector<Vec2> points = {};  ///< mm
+  std::vector<Vec3> places = {};  ///< m, one for each point
+};
+
 /// What cloth is laid over: its mesh, metres, closed.
 struct Solid {
   std::string id;
@@ -97,6 +104,7 @@ struct Garment {
   std::vector<PiecePlace> places = {};
   std::vector<BentPlace> bent = {};
   std::vector<DraftedHold> holds = {};
+  std::vector<DraftedHooks> hooks = {};
   std::vector<DraftedCushion> cushions = {};
   std::vector<Solid> solids = {};
   double particle_distance_mm = 15;

@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "core/draft/blouse.h"
+#include "core/draft/chair_cover.h"
 #include "core/draft/circle_dress.h"
 #include "core/draft/circle_skirt.h"
+#include "core/draft/curtain.h"
 #include "core/draft/house.h"
 #include "core/draft/jacket.h"
 #include "core/draft/pencil_skirt.h"
@@ -32,6 +34,9 @@ const std::vector<GarmentKind>& garment_kinds() {
       {"trapezoids", "One shape, six fabrics, hung by two corners", "",
        [](const Wearer&) { return draft_trapezoids(); }},
       {"tablecloth", "Round cloth on a round table", "", [](const Wearer&) { return draft_tablecloth(); }},
+      {"curtain", "Pair of curtains, gathered at a rail", "", [](const Wearer&) { return draft_curtain(); }},
+      {"chair-cover", "Fitted cover of a dining chair, down to the floor", "",
+       [](const Wearer&) { return draft_chair_cover(); }},
       {"cushion", "Cushion, filled", "", [](const Wearer&) { return draft_cushion(); }},
   };
   return kinds;

@@ -87,10 +87,23 @@ project::ProjectAttachment attachment_of(const draft::DraftedHold& hold) {
   return out;
 }
 
+/// One for each hook, numbered from 1.
+void take_hooks(const draft::DraftedHooks& hooks, project::Project& project) {
+  for (std::size_t i = 0; i < hooks.points.size(); ++i) {
+    project::ProjectAttachment& out = project.attachments.emplace_back();
+    out.id = hooks.id + " " + std::to_string(i + 1);
+    out.piece = hooks.piece;
+    out.points = {hooks.points[i]};
+    out.to.emplace().place = hooks.places[i];
+    out.release_after_s = -1;
+  }
+}
+
 void take_notions(const draft::Garment& garment, project::Project& project) {
   for (const draft::DraftedButton& b : garment.buttons)
     project.buttons.push_back({.id = b.id, .a = {b.a.piece, b.a.at}, .b = {b.b.piece, b.b.at}});
   for (const draft::DraftedHold& h : garment.holds) project.attachments.push_back(attachment_of(h));
+  for (const draft::DraftedHooks& h : garment.hooks) take_hooks(h, project);
   for (const draft::DraftedCushion& c : garment.cushions)
     project.cushions.push_back({.id = c.id, .pieces = c.pieces, .pressure_pa = c.pressure_pa});
   for (const draft::DraftedFold& f : garment.folds)

@@ -126,6 +126,53 @@ TEST(SampleCommand, TheJacketIsWornWithItsEaseAndItsCollarTurnedOver) {
   EXPECT_LT(collar.low, back.high) << "the fall covers the seam that holds the collar";
 }
 
+json::JsonValue drape_report(const fs::path& project, const fs::path& out) {
+  const Ran run = run_toile({"drape", project, "--out", out});
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const auto report = json::parse_json(text_of(out / "report.json"));
+  const json::JsonValue* worst = report->find("intersections")->find("worst_frame");
+  EXPECT_EQ(*worst->find("cloth_cloth")->number(), 0);
+  EXPECT_EQ(*worst->find("cloth_body")->number(), 0);
+  EXPECT_LT(*report->find("seam_gap_max_mm")->number(), 0.1);
+  return *report;
+}
+
+TEST(SampleCommand, TheChairCoverFitsItsChair) {
+  const fs::path out = fresh_folder("toile_sample_chair_cover");
+  drape_report(fs::path(TOILE_SOURCE_DIR) / "samples/chair-cover/project.json", out);
+  const Tops seat = tops_of(out / "final.obj", "seat"), top = tops_of(out / "final.obj", "top_boxing");
+  ASSERT_GT(seat.count, 100);
+  EXPECT_GT(seat.low, 0.465) << "its seams lie along the seat's edges";
+  EXPECT_LT(seat.high, 0.490) << "it lies on the seat";
+  EXPECT_GT(top.low, 0.990 - 0.004) << "the boxing lies over the back's top";
+  for (const std::string side : {"front", "back", "left", "right"}) {
+    const Tops skirt = tops_of(out / "final.obj", side + "_skirt");
+    EXPECT_GT(skirt.low, 0.005) << side << ": the hem clears the floor";
+    EXPECT_LT(skirt.low, 0.030) << side << ": and hangs down to it";
+  }
+}
+
+TEST(SampleCommand, TheCurtainHangsLevelByItsHooks) {
+  const fs::path folder = fresh_folder("toile_sample_curtain");
+  fs::copy(fs::path(TOILE_SOURCE_DIR) / "samples/curtain", folder / "curtain");
+  project::Project p = project::parse_project(text_of(folder / "curtain/project.json")).value();
+  p.settings.particle_distance_mm = 30;  // as it hangs, in less time
+  write_text(folder / "curtain/project.json", project::write_project(p));
+  const json::JsonValue report = drape_report(folder / "curtain/project.json", folder / "out");
+  int hooks = 0;
+  for (const json::JsonValue& hook : *report.find("attachments")->array()) {
+    EXPECT_LT(*hook.find("off_mm")->number(), 2) << *hook.find("id")->text();
+    ++hooks;
+  }
+  EXPECT_EQ(hooks, 24);
+  for (const std::string side : {"left", "right"}) {
+    const Tops curtain = tops_of(folder / "out/final.obj", side + "_curtain");
+    EXPECT_NEAR(curtain.low, 0.200, 0.015) << "the hem, 1.3 m below the tape at 1.5 m";
+    const Tops heading = tops_of(folder / "out/final.obj", side + "_heading");
+    EXPECT_GT(heading.high, 1.51) << "stands up above its tape";
+  }
+}
+
 TEST(SampleCommand, SaysWhatIsWrongWithWhatItWasAsked) {
   EXPECT_NE(
       run_toile({"sample", "toga", "--out", fresh_folder("toile_sample_none")}).err.find("usage.sample"),
