@@ -11,6 +11,21 @@ FlatLayout empty_layout(std::size_t count) {
   return {std::vector<FlatMove>(count), std::vector<int>(count, 0), std::vector<Index>(count, kNone)};
 }
 
+namespace {
+
+/// Whether it is of one hand and no seam joins it to the other: how far it lies from the middle nobody can
+/// tell before what is nearer lies there.
+bool is_aside(const GarmentGraph& graph, Index p) {
+  const int hand = graph.pieces[p].hand;
+  if (hand == 0) return false;
+  return std::none_of(graph.ties.begin(), graph.ties.end(), [&](const GarmentTie& tie) {
+    if (tie.a != p && tie.b != p) return false;
+    return graph.pieces[tie.a == p ? tie.b : tie.a].hand * hand < 0;
+  });
+}
+
+}  // namespace
+
 Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members) {
   const auto merit = [&](Index p) {
     const GarmentPiece& piece = graph.pieces[p];
@@ -18,6 +33,7 @@ Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members
     if (piece.face > 0) m *= 10;
     if (piece.face < 0) m *= 0.1;
     if (piece.cover == Cover::kTorso) m *= 100;
+    if (is_aside(graph, p)) m *= 0.2;
     return m;
   };
   return *std::max_element(members.begin(), members.end(),

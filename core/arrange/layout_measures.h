@@ -11,7 +11,7 @@ namespace toile::arrange {
 FlatLayout empty_layout(std::size_t pieces);
 
 /// The piece that the others are laid to: the largest front, without one the largest; of tops before skirts
-/// and legs. REQUIRES members.
+/// and legs, and of what the middle goes through before what is of one hand alone. REQUIRES members.
 Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members);
 
 /// m, positive where pieces named left and right lie on their sides.

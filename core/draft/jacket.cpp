@@ -11,7 +11,9 @@
 namespace toile::draft {
 namespace {
 
-constexpr double kRollAngle = -170;  // degrees: the wrong side of lapels and collar's fall comes out
+/// Degrees, by which lapels and the collar's fall are pressed over, their wrong sides out. They come to lie
+/// on what is below them; pressed farther they pinch the neck's seams before these are shut.
+constexpr double kRollAngle = -150;
 
 PrincessBodice body_of(const Wearer& w, const JacketStyle& s) {
   const double scale = w.height / 1680;
@@ -154,7 +156,6 @@ Garment draft_jacket(const Wearer& w, const JacketStyle& s) {
   sew(g, "back", {{"left back", "middle"}}, {{"right back", "middle"}});
   sew(g, "collar", {{"collar", "neck"}}, {{"right back", "neck"}, {"left back", "neck"}});
   for (const char* fused : {"left front", "right front", "collar"}) {
-    panel_of(g, fused).spacing = 0.014;
     g.interlinings.push_back({fused, "interlining"});
     g.folds.push_back({std::string("roll ") + fused, fused, {"roll"}, kRollAngle, 100});
   }

@@ -104,6 +104,19 @@ TEST(SampleCommand, DraftsForTheBodyOfAFileAndBringsItAlong) {
   EXPECT_EQ(run_toile({"check", made / "slacks/project.json"}).code, 0);
 }
 
+TEST(SampleCommand, TheJacketsTrunkStandsUprightOnEverySize) {
+  for (const std::string size : {"eu34", "eu40", "eu46", "eu48"}) {
+    const fs::path made = fresh_folder("toile_sample_jacket_" + size);
+    ASSERT_EQ(run_toile({"sample", "jacket", "--preset", size, "--out", made}).code, 0) << size;
+    const project::Project p = project::parse_project(text_of(made / "project.json")).value();
+    for (const project::ProjectPiece& piece : p.pieces) {
+      if (piece.id.find("sleeve") != std::string::npos) continue;
+      ASSERT_TRUE(piece.placement.rigid) << size << ", " << piece.id;
+      EXPECT_NEAR(piece.placement.rigid->rotation.z, 0, 0.1) << size << ", " << piece.id;
+    }
+  }
+}
+
 TEST(SampleCommand, TheJacketIsWornWithItsEaseAndItsCollarTurnedOver) {
   const fs::path kept = fs::path(TOILE_SOURCE_DIR) / "samples/jacket/project.json";
   const fs::path out = fresh_folder("toile_sample_jacket_worn");
