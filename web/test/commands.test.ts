@@ -424,6 +424,43 @@ describe('the watcher', () => {
     watcher.stop();
   });
 
+  it('turns to the result also when an older answer came in between', async () => {
+    const report = vi.fn(async () => ({ name: 'r' }) as never);
+    const watcher = new Watcher(state, fakeApi({ report }), stream, () => undefined);
+    state.jobs.value = ready([jobOf()]);
+    state.route.value = { name: 'job', id: 'j_1' };
+    watcher.start();
+    const ended = jobOf({ state: 'succeeded', results: { 'report.json': 10 } });
+    state.jobs.value = ready([ended]);
+    state.jobs.value = ready([jobOf({ state: 'running' })]);
+    await settle();
+    expect(state.tab.value).toBe('drape');
+    state.jobs.value = ready([ended]);
+    await settle();
+    expect([state.tab.value, report.mock.calls.length]).toEqual(['result', 1]);
+    state.tab.value = 'body';
+    state.jobs.value = ready([{ ...ended }]);
+    await settle();
+    expect(state.tab.value, 'turned to once').toBe('body');
+    watcher.stop();
+  });
+
+  it('leaves the panel of the pattern to whoever works on it when a drape ends', async () => {
+    const report = vi.fn(async () => ({ name: 'r' }) as never);
+    const watcher = new Watcher(state, fakeApi({ report }), stream, () => undefined);
+    state.jobs.value = ready([jobOf()]);
+    state.route.value = { name: 'job', id: 'j_1' };
+    watcher.start();
+    state.tab.value = 'pattern';
+    state.editing.tool.value = 'sew';
+    const ended = jobOf({ state: 'succeeded', results: { 'report.json': 10 } });
+    watcher.handlers().text({ type: 'ended', job: ended, ...progressOf({ state: 'succeeded' }) });
+    await settle();
+    expect(report).toHaveBeenCalledTimes(1);
+    expect(state.tab.value).toBe('pattern');
+    watcher.stop();
+  });
+
   it('shows an ended drape that nobody streams from its model file', async () => {
     const resultText = async () => 'v 0 0 0\nv 1 0 0\nv 0 1 0\no front\nf 1 2 3\n';
     const watcher = new Watcher(state, fakeApi({ resultText }), stream, () => undefined);

@@ -15,6 +15,7 @@ import { ImportCommands } from './ImportCommands';
 import { LiveCommands } from './LiveCommands';
 import { asApiError, notify, notifyError } from './notices';
 import { PatternCommands } from './PatternCommands';
+import { RangeCommands } from './RangeCommands';
 import { SweepCommands } from './SweepCommands';
 import { TextureCommands } from './TextureCommands';
 import { t } from '../texts/language';
@@ -35,6 +36,7 @@ export interface Surroundings {
 
 export class Commands {
   readonly pattern: PatternCommands;
+  readonly ranges: RangeCommands;
   readonly imports: ImportCommands;
   readonly dressing: DressingCommands;
   readonly textures: TextureCommands;
@@ -51,6 +53,7 @@ export class Commands {
     dressing: DressingApi = makeDressingApi(),
   ) {
     this.pattern = new PatternCommands(state_, api_, refresh_);
+    this.ranges = new RangeCommands(state_);
     this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
     this.sweeps = new SweepCommands(state_, api_, (route) => this.open(route), () => around_.newKey(), refresh_);
     this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));

@@ -109,8 +109,8 @@ export const bindings: Binding[] = [
     run: (_, s) => void (s.bodyShown.value = !s.bodyShown.value),
   },
   {
-    key: 'm',
-    shown: 'M',
+    key: 'w',
+    shown: 'W',
     title: () => t.keys.does.mesh,
     group: 'view',
     run: (_, s) => void (s.meshShown.value = !s.meshShown.value),
