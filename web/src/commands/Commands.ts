@@ -18,6 +18,7 @@ import { PatternCommands } from './PatternCommands';
 import { RangeCommands } from './RangeCommands';
 import { SweepCommands } from './SweepCommands';
 import { TextureCommands } from './TextureCommands';
+import { TourCommands } from './TourCommands';
 import { t } from '../texts/language';
 
 export interface Surroundings {
@@ -42,6 +43,7 @@ export class Commands {
   readonly textures: TextureCommands;
   readonly sweeps: SweepCommands;
   readonly live: LiveCommands;
+  readonly tours: TourCommands;
 
   constructor(
     private readonly state_: AppState,
@@ -57,6 +59,7 @@ export class Commands {
     this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
     this.sweeps = new SweepCommands(state_, api_, (route) => this.open(route), () => around_.newKey(), refresh_);
     this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));
+    this.tours = new TourCommands(state_);
     this.live = new LiveCommands(state_, (word) => around_.say(word));
     this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);
   }

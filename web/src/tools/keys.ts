@@ -144,7 +144,7 @@ export const bindings: Binding[] = [
     group: 'help',
     run: (c, s) => {
       if (s.helpShown.value) s.helpShown.value = false;
-      else if (!c.live.putAway() && !c.pattern.cancel()) c.select(null);
+      else if (!c.tours.end() && !c.live.putAway() && !c.pattern.cancel()) c.select(null);
     },
   },
 ];
