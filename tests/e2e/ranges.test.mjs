@@ -118,9 +118,10 @@ describe('free-range sewing', () => {
     await waitFor(page, (id) => window.__toile.job().id !== id, old.id);
     await waitForState(page, 'succeeded');
     const { id } = await ask(page, 'job');
-    const { settled, intersections } = await (await service.get(`/jobs/${id}/results/report.json`)).json();
+    const { settled, simulated_s, intersections } = await (await service.get(`/jobs/${id}/results/report.json`)).json();
     assert.deepEqual([settled, intersections.cloth_body, intersections.cloth_cloth], [true, 0, 0]);
     await page.getByRole('tab', { name: 'Result', selected: true }).waitFor();
+    await page.locator('.report').getByText(`Settled at ${simulated_s.toFixed(2)} s`).waitFor();
     await page.getByRole('button', { name: 'side view' }).click();
     await waitForCalm(page);
     await shoot(page, 'range-6-slit');

@@ -5,8 +5,8 @@ import { effect, untracked } from '@preact/signals';
 import type { Api } from '../api/Api';
 import type { ClothStream, ClothStreamHandlers } from '../api/ClothStream';
 import { clothFromObj } from '../api/objCloth';
-import type { Job, Progress, StreamText } from '../api/types';
-import { loading, ready, valueOf, type AppState } from '../state/AppState';
+import type { Job, Progress, Report, StreamText } from '../api/types';
+import { loading, ready, valueOf, type AppState, type Loaded } from '../state/AppState';
 import { isActive } from '../state/jobs';
 import { asApiError, notify } from './notices';
 
@@ -211,13 +211,12 @@ export class Watcher {
   }
 
   private async loadReport(id: string): Promise<void> {
-    const { report } = this.state_;
+    const { report, watched } = this.state_;
     report.value = loading;
-    try {
-      report.value = ready(await this.api_.report(id));
-    } catch (error) {
-      report.value = { state: 'failed', error: asApiError(error) };
-    }
+    const refused = (error: unknown): Loaded<Report> => ({ state: 'failed', error: asApiError(error) });
+    const found = await this.api_.report(id).then<Loaded<Report>, Loaded<Report>>(ready, refused);
+    // Another drape may be watched by now, whose report this is not.
+    if (watched.value === id) report.value = found;
   }
 
   private async loadCloth(id: string): Promise<void> {
