@@ -4,6 +4,7 @@ import type { Pieces, SeamEdge } from '../api/types';
 import { draftShown } from '../state/editing';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
+import { tidied } from '../state/seamRange';
 import { lengthsText, seamColour, seamLengths, seriesText, type Side } from '../state/seamView';
 import { Icon } from '../controls/Icon';
 import { NumberField } from '../controls/NumberField';
@@ -15,7 +16,9 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
   const { pattern } = useCommands();
   const { draft } = state.editing;
   const shown = draftShown(state.editing, pieces.pieces);
-  const { a, b, side, sameDirection } = shown;
+  const { a, b, side } = shown;
+  // Of ranges both sides run as they were drawn: turned is what differs from pieces that lie side by side.
+  const turned = tidied(shown).sameDirection;
   const { a: lengthA, b: lengthB } = seamLengths(pieces.pieces, { id: '', a, b });
   const both = a.length > 0 && b.length > 0;
   const { lengths, difference } = lengthsText(lengthA, lengthB);
@@ -44,7 +47,7 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
         <button class="primary" disabled={!both} onClick={() => void pattern.addSeam()}>
           {t.common.sew}
         </button>
-        <button class="plain" disabled={!both} aria-pressed={sameDirection} onClick={() => pattern.turnDraft()}>
+        <button class="plain" disabled={!both} aria-pressed={turned} onClick={() => pattern.turnDraft()}>
           {t.pattern.reverse}
         </button>
         <button class="plain" onClick={() => pattern.clearDraft()}>

@@ -320,6 +320,14 @@ describe('the tool for seams', () => {
     ]);
     click(button(/^B/));
     expect(page.state.editing.draft.value.side).toBe('b');
+    const pressed = (): string | null => button('Reverse').getAttribute('aria-pressed');
+    expect(pressed()).toBe('false');
+    // A range against its outline, as it is drawn on a piece that lies beside the other.
+    const drawn = { b: [{ piece: 'b', edge: 'e3', reversed: true }], sameDirection: true };
+    page.change(({ editing }) => (editing.draft.value = { ...editing.draft.value, ...drawn }));
+    expect(pressed()).toBe('false');
+    page.change(({ editing }) => (editing.draft.value = { ...editing.draft.value, sameDirection: false }));
+    expect(pressed()).toBe('true');
   });
 
   it('sews nothing before both sides have an edge', () => {
