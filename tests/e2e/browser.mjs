@@ -29,10 +29,11 @@ export async function openBrowser() {
   return chromium.launch({ executablePath, args: flags, headless: true, timeout: kPatience });
 }
 
-/** A page that remembers what its scripts complained of. */
-export async function openPage(browser, url, options = {}) {
+/** A page that remembers what its scripts complained of. It is no first visit, or the tour would lie over what is pressed. */
+export async function openPage(browser, url, { firstVisit = false, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, colorScheme: 'light', ...options });
   page.setDefaultTimeout(kPatience);
+  if (!firstVisit) await page.addInitScript(seenBefore);
   page.complaints = [];
   page.on('pageerror', (error) => page.complaints.push(error.message));
   page.on('console', (message) => {
@@ -43,6 +44,11 @@ export async function openPage(browser, url, options = {}) {
   await page.goto(url);
   if (!page.url().startsWith('about:')) await begun(page);
   return page;
+}
+
+/** Runs in the page before its own scripts; a page without an address keeps nothing. */
+function seenBefore() {
+  if (location.protocol !== 'about:') localStorage.setItem('toile.tour', 'seen');
 }
 
 /** Until the page's own code has run: what it begins with is fetched after the document has come. */

@@ -45,13 +45,14 @@ describe('sweeps', () => {
     await page.waitForURL(/#\/sweeps\/s_/, { timeout: kPatience });
     await page.getByRole('heading', { name: 'A-line skirt', level: 1 }).waitFor();
     sweep = /#\/sweeps\/(s_\w+)$/.exec(page.url())[1];
+    await cells().nth(3).waitFor();
     assert.equal(await cells().count(), 4);
   });
 
   it('fill with pictures as drapes end; what was draped before is there at once', async () => {
     await page.locator('a.sweep-cell img').first().waitFor();
     assert.equal((await shown()).cells[0].state, 'succeeded', 'the sample has been draped');
-    await page.getByText(/of 4 ended/).first().waitFor();
+    await page.getByText(/of 4 ended|4 drapes, all ended/).first().waitFor();
     await shoot(page, 'sweep-2-under-way');
     await page.getByText('4 drapes, all ended').waitFor({ timeout: kPatience });
     await page.waitForFunction(() => document.querySelectorAll('a.sweep-cell img').length === 4);

@@ -28,6 +28,7 @@ import { StatusBar } from './panels/StatusBar';
 import { SweepDialog } from './panels/SweepDialog';
 import { SweepPanel } from './panels/SweepPanel';
 import { TopBar } from './panels/TopBar';
+import { Tour } from './panels/Tour';
 import { ComparePane } from './scene/ComparePane';
 import { ScenePane } from './scene/ScenePane';
 import { AppState } from './state/AppState';
@@ -155,6 +156,7 @@ function Page() {
           <StatusBar />
           <Notices />
           <IntakeDialog Preview={ImportPreview} />
+          <Tour />
           <HelpDialog />
           <ShareDialog links={api} />
           <SweepDialog />
@@ -178,6 +180,9 @@ watcher.start();
 new Comparer(state, api).start();
 commands.sweeps.start();
 new MapKeeper(state).start();
+effect(() => {
+  if (state.atWork.value) untracked(() => commands.tours.greet());
+});
 effect(() => {
   void state.projectId.value;
   untracked(() => commands.pattern.projectChanged());

@@ -379,6 +379,17 @@ describe('the watcher', () => {
     for (const fake of Object.values(stream)) fake.mockClear();
   });
 
+  const ended = jobOf({ state: 'succeeded', results: { 'report.json': 10 } });
+  /** A drape under way is shown. */
+  const watching = () => {
+    const report = vi.fn(async (_: string) => ({ name: 'r' }) as never);
+    const watcher = new Watcher(state, fakeApi({ report }), stream, () => undefined);
+    state.jobs.value = ready([jobOf()]);
+    state.route.value = { name: 'job', id: 'j_1' };
+    watcher.start();
+    return { watcher, report };
+  };
+
   it('opens the stream of a job’s address before any list has come', () => {
     const watcher = new Watcher(state, fakeApi(), stream, () => undefined);
     state.route.value = { name: 'job', id: 'j_7' };
@@ -410,17 +421,53 @@ describe('the watcher', () => {
   });
 
   it('takes the last word of a stream for the job’s row and fetches its report', async () => {
-    const report = vi.fn(async () => ({ name: 'r' }) as never);
-    const watcher = new Watcher(state, fakeApi({ report }), stream, () => undefined);
-    state.jobs.value = ready([jobOf()]);
-    state.route.value = { name: 'job', id: 'j_1' };
-    watcher.start();
-    const ended = jobOf({ state: 'succeeded', results: { 'report.json': 10 } });
+    const { watcher, report } = watching();
     watcher.handlers().text({ type: 'ended', job: ended, ...progressOf({ state: 'succeeded' }) });
     await settle();
     expect(state.job.value?.state).toBe('succeeded');
     expect(report).toHaveBeenCalledTimes(1);
     expect(state.tab.value).toBe('result');
+    watcher.stop();
+  });
+
+  it('turns to the result also when an older answer came in between', async () => {
+    const { watcher, report } = watching();
+    state.jobs.value = ready([ended]);
+    state.jobs.value = ready([jobOf({ state: 'running' })]);
+    await settle();
+    expect(state.tab.value).toBe('drape');
+    state.jobs.value = ready([ended]);
+    await settle();
+    expect([state.tab.value, report.mock.calls.length]).toEqual(['result', 1]);
+    state.tab.value = 'body';
+    state.jobs.value = ready([{ ...ended }]);
+    await settle();
+    expect(state.tab.value, 'turned to once').toBe('body');
+    watcher.stop();
+  });
+
+  it('shows no report of a drape that is not watched any more', async () => {
+    const { watcher, report } = watching();
+    report.mockImplementation(async (id: string) => ({ name: id }) as never);
+    state.jobs.value = ready([ended]);
+    state.jobs.value = ready([ended, jobOf({ id: 'j_2' })]);
+    state.route.value = { name: 'job', id: 'j_2' };
+    await settle();
+    expect([report.mock.calls.length, state.report.value]).toEqual([1, null]);
+    state.jobs.value = ready([ended, { ...ended, id: 'j_2' }]);
+    await settle();
+    expect(state.report.value).toEqual(ready({ name: 'j_2' }));
+    watcher.stop();
+  });
+
+  it('leaves the panel of the pattern to whoever works on it when a drape ends', async () => {
+    const { watcher, report } = watching();
+    state.tab.value = 'pattern';
+    state.editing.tool.value = 'sew';
+    watcher.handlers().text({ type: 'ended', job: ended, ...progressOf({ state: 'succeeded' }) });
+    await settle();
+    expect(report).toHaveBeenCalledTimes(1);
+    expect(state.tab.value).toBe('pattern');
     watcher.stop();
   });
 

@@ -15,8 +15,10 @@ import { ImportCommands } from './ImportCommands';
 import { LiveCommands } from './LiveCommands';
 import { asApiError, notify, notifyError } from './notices';
 import { PatternCommands } from './PatternCommands';
+import { RangeCommands } from './RangeCommands';
 import { SweepCommands } from './SweepCommands';
 import { TextureCommands } from './TextureCommands';
+import { TourCommands } from './TourCommands';
 import { t } from '../texts/language';
 
 export interface Surroundings {
@@ -35,11 +37,13 @@ export interface Surroundings {
 
 export class Commands {
   readonly pattern: PatternCommands;
+  readonly ranges: RangeCommands;
   readonly imports: ImportCommands;
   readonly dressing: DressingCommands;
   readonly textures: TextureCommands;
   readonly sweeps: SweepCommands;
   readonly live: LiveCommands;
+  readonly tours: TourCommands;
 
   constructor(
     private readonly state_: AppState,
@@ -51,9 +55,11 @@ export class Commands {
     dressing: DressingApi = makeDressingApi(),
   ) {
     this.pattern = new PatternCommands(state_, api_, refresh_);
+    this.ranges = new RangeCommands(state_);
     this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
     this.sweeps = new SweepCommands(state_, api_, (route) => this.open(route), () => around_.newKey(), refresh_);
     this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));
+    this.tours = new TourCommands(state_);
     this.live = new LiveCommands(state_, (word) => around_.say(word));
     this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);
   }

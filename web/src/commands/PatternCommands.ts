@@ -7,6 +7,7 @@ import type { Edit, Piece, Point, Project, SeamProposal } from '../api/types';
 import { loading, ready, valueOf, type AppState } from '../state/AppState';
 import { freePieceId, kRestingTool, type EditingState, type Part, type ToolFacts } from '../state/editing';
 import { bentHandles, isStraight, nextEdge } from '../state/outline';
+import { tidied } from '../state/seamRange';
 import { emptyDraft, freeSeamId, ticked, toWear, withEdge, type Side } from '../state/seamView';
 import { asApiError, notify, notifyError } from './notices';
 import { t } from '../texts/language';
@@ -74,8 +75,9 @@ export class PatternCommands {
 
   /** Escape: puts down the innermost thing that is held. False when there was none. */
   cancel(): boolean {
-    const { draft, part, seam, tool, problem } = this.editing;
+    const { draft, range, part, seam, tool, problem } = this.editing;
     if (problem.value) problem.value = null;
+    else if (range.value) range.value = null;
     else if (draft.value.a.length + draft.value.b.length > 0) draft.value = emptyDraft;
     else if (part.value) part.value = null;
     else if (seam.value) seam.value = null;
@@ -324,9 +326,18 @@ export class PatternCommands {
     draft.value = { ...draft.value, [side]: series };
   }
 
+  /** Takes an edge, or a part of one, out of the seam that is being made. */
+  leaveOut(side: Side, index: number): void {
+    const { draft } = this.editing;
+    draft.value = { ...draft.value, [side]: draft.value[side].filter((_, i) => i !== index) };
+  }
+
   /** The seam that is being made begins anew. */
   clearDraft(): void {
-    this.editing.draft.value = emptyDraft;
+    const { draft, range, place } = this.editing;
+    draft.value = emptyDraft;
+    range.value = null;
+    place.value = null;
     this.editing.problem.value = null;
   }
 
@@ -336,14 +347,15 @@ export class PatternCommands {
   }
 
   async addSeam(): Promise<void> {
-    const { draft, problem, seam } = this.editing;
-    const { a, b, sameDirection } = draft.value;
+    const { draft, place, problem, seam } = this.editing;
+    const { a, b, sameDirection } = tidied(draft.value);
     if (a.length === 0 || b.length === 0) return;
     const seams = valueOf(this.state_.pieces.value ?? loading)?.seams ?? [];
     const id = freeSeamId(seams);
     await this.edit({ edit: 'add_seam', id, a, b, same_direction: sameDirection });
     if (problem.value) return;
     draft.value = emptyDraft;
+    place.value = null; // what it was as long as is sewn
     seam.value = id;
   }
 

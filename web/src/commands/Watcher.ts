@@ -5,8 +5,8 @@ import { effect, untracked } from '@preact/signals';
 import type { Api } from '../api/Api';
 import type { ClothStream, ClothStreamHandlers } from '../api/ClothStream';
 import { clothFromObj } from '../api/objCloth';
-import type { Job, Progress, StreamText } from '../api/types';
-import { loading, ready, valueOf, type AppState } from '../state/AppState';
+import type { Job, Progress, Report, StreamText } from '../api/types';
+import { loading, ready, valueOf, type AppState, type Loaded } from '../state/AppState';
 import { isActive } from '../state/jobs';
 import { asApiError, notify } from './notices';
 
@@ -18,6 +18,8 @@ export class Watcher {
   private piecesOf_ = '';
   /** The drape whose cloth is being fetched: every new row of it would ask for it again. */
   private clothOf_ = '';
+  /** Whose result has been turned to. */
+  private turnedTo_ = '';
   private moved_ = ''; // the job whose bodies moved while one looked
 
   constructor(
@@ -67,6 +69,7 @@ export class Watcher {
     state.cloth.clear();
     state.tab.value = id ? 'drape' : 'pattern';
     this.clothOf_ = '';
+    this.turnedTo_ = '';
     if (!id) return this.stream_.leave();
     this.stream_.watch(this.api_.streamUrl(id));
     void this.loadBody(id);
@@ -193,18 +196,27 @@ export class Watcher {
     if (watched.value !== id) return;
     const results = job.value?.results ?? {};
     if ('report.json' in results && !report.value) await this.loadReport(id);
+    this.turnToResult(id);
     if ('final.obj' in results && !cloth.topology && this.clothOf_ !== id) await this.loadCloth(id);
   }
 
+  /** Once for each drape that is watched; whoever sews or moves points meanwhile keeps the panel for that. */
+  private turnToResult(id: string): void {
+    const { report, job, watched, tab, editing } = this.state_;
+    // An answer that was on its way may have said since that the drape still runs: then the next one turns.
+    const ended = watched.value === id && job.value?.state === 'succeeded' && report.value?.state === 'ready';
+    if (!ended || this.turnedTo_ === id) return;
+    this.turnedTo_ = id;
+    if (tab.value !== 'pattern' || !editing.atWork) tab.value = 'result';
+  }
+
   private async loadReport(id: string): Promise<void> {
-    const { report, job, watched, tab } = this.state_;
+    const { report, watched } = this.state_;
     report.value = loading;
-    try {
-      report.value = ready(await this.api_.report(id));
-      if (watched.value === id && job.value?.state === 'succeeded') tab.value = 'result';
-    } catch (error) {
-      report.value = { state: 'failed', error: asApiError(error) };
-    }
+    const refused = (error: unknown): Loaded<Report> => ({ state: 'failed', error: asApiError(error) });
+    const found = await this.api_.report(id).then<Loaded<Report>, Loaded<Report>>(ready, refused);
+    // Another drape may be watched by now, whose report this is not.
+    if (watched.value === id) report.value = found;
   }
 
   private async loadCloth(id: string): Promise<void> {

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from 'preact/hooks';
+import { useCommands } from '../commands/context';
 import { bindings, shownKey } from '../tools/keys';
 import { useAppState } from '../state/context';
 import { Icon } from '../controls/Icon';
@@ -28,6 +29,7 @@ function Dialog({ close }: { close: () => void }) {
     <dialog class="sheet help" ref={dialog} onClose={close} aria-labelledby="help-title">
       <header>
         <h2 id="help-title">{t.keys.title}</h2>
+        <TourButton />
         <button class="tool flat" aria-label={t.common.close} onClick={() => dialog.current?.close()}>
           <Icon name="cross" />
         </button>
@@ -65,5 +67,17 @@ function Dialog({ close }: { close: () => void }) {
         </section>
       </div>
     </dialog>
+  );
+}
+
+/** Where there is something to be led around in. */
+function TourButton() {
+  const { atWork } = useAppState();
+  const { tours } = useCommands();
+  if (!atWork.value) return null;
+  return (
+    <button class="plain" onClick={() => tours.begin()}>
+      {t.tour.again}
+    </button>
   );
 }

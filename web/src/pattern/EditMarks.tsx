@@ -38,9 +38,11 @@ export function EditMarks(props: EditMarksProps) {
   );
 }
 
-/** The side of the seam that is being made which has this edge. */
+/** The side of the seam that is being made which has all of this edge. */
 const sideOf = (draft: SeamDraft, piece: string, edge: string): 'a' | 'b' | undefined =>
-  (['a', 'b'] as const).find((side) => draft[side].some((use) => use.piece === piece && use.edge === edge));
+  (['a', 'b'] as const).find((side) =>
+    draft[side].some(({ from = 0, to = 1, ...use }) => use.piece === piece && use.edge === edge && to - from === 1),
+  );
 
 function EdgeMark({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
   const { piece, tool, selected, part, draft, draftColour } = props;

@@ -22,7 +22,7 @@ export function PatternNote({ pieces, tool, held, lit }: PatternNoteProps) {
   const state = useAppState();
   const problem = state.editing.problem.value;
   if (problem) return <Refusal problem={problem} />;
-  const said = placeOf(held) ?? lengthsOf(pieces, lit) ?? tool.say?.(state) ?? null;
+  const said = placeOf(held) ?? lengthsOf(pieces, lit, state.editing.range.value === null) ?? tool.say?.(state) ?? null;
   if (said === null) return null;
   return (
     <p class="pattern-note" role="status">
@@ -53,14 +53,21 @@ function placeOf(held: Held | null) {
   );
 }
 
-/** How long both sides of the lit seam are. */
-function lengthsOf(pieces: readonly Piece[], lit: ShownSeam | null) {
+/** How long both sides of the lit seam are; of one that is being made how it is sewn, once both are there. */
+function lengthsOf(pieces: readonly Piece[], lit: ShownSeam | null, both: boolean) {
   if (!lit || lit.seam.b.length === 0) return null;
   const { a, b } = seamLengths(pieces, lit.seam);
   const { lengths, difference } = lengthsText(a, b);
+  const drafted = lit.seam.id === kDraftSeam;
   return (
     <>
-      <b>{lit.seam.id === kDraftSeam ? t.pattern.newSeam : numberedTitle(lit.seam, lit.index)}</b> {lengths} · {difference}
+      <b>{drafted ? t.pattern.newSeam : numberedTitle(lit.seam, lit.index)}</b> {lengths} · {difference}
+      {drafted && both && (
+        <>
+          {' · '}
+          <kbd>{t.keys.names.Enter}</kbd> {t.keys.sewNow}
+        </>
+      )}
     </>
   );
 }

@@ -9,12 +9,14 @@ import { useAppState } from '../state/context';
 import { add } from '../state/outline';
 import { layOut, type PlacedPiece } from '../state/patternGeometry';
 import { seamParts, type SeamDraft } from '../state/seamView';
+import { draftShown } from '../state/editing';
 import { toolOf } from '../tools/table';
 import type { Held, PatternTool } from '../tools/PatternTool';
 import { PatternNote } from './PatternNote';
 import { PatternTools } from './PatternTools';
 import { PlacedPieceView } from './PlacedPieceView';
 import { kDraftSeam, Threads, type ShownSeam } from './SeamShapes';
+import { RangeMarks } from './RangeMarks';
 import { useHands, type Hands } from './useHands';
 import { usePlaneView, type PlaneView } from './usePlaneView';
 import { t } from '../texts/language';
@@ -80,7 +82,7 @@ function Plane({ pieces, tool }: { pieces: Pieces; tool: PatternTool }) {
     () => placed.value.map((piece) => piece.box),
     () => state.projectId.value,
   );
-  const hands = useHands({ hand: { state, commands }, tool, view: () => plane.view.value, move: plane.move });
+  const hands = useHands({ hand: { state, commands }, tool, view: () => plane.view.value, move: plane.move, worldOf: plane.worldOf });
   const { held } = hands;
   const shown = pieces.pieces.map((piece) => (held?.piece === piece.id ? held.shown(piece) : piece));
   const seams = useSeams({ ...pieces, pieces: shown });
@@ -144,6 +146,7 @@ function Sheet({ pieces, places, tool, plane, hands, seams }: SheetProps) {
       ))}
       {seams.lit && <Threads shown={seams.lit} placed={places} scale={scale} />}
       <Guides held={hands.held} placed={places} />
+      <RangeMarks placed={places} scale={scale} colour={pieces.seams.length} />
     </svg>
   );
 }
@@ -188,7 +191,7 @@ interface Seams {
 /** All seams with the one that is being made, which is lit before any other. */
 function useSeams(pieces: Pieces): Seams {
   const { editing } = useAppState();
-  const all = seamsShown(pieces, editing.draft.value);
+  const all = seamsShown(pieces, draftShown(editing, pieces.pieces));
   const drafted = all.some((one) => one.seam.id === kDraftSeam);
   const litId = drafted ? kDraftSeam : (editing.litSeam.value ?? editing.seam.value);
   return { all, litId, lit: all.find((one) => one.seam.id === litId) ?? null };

@@ -4,7 +4,7 @@ import { useRef, type MutableRef } from 'preact/hooks';
 import type { Point } from '../api/types';
 import { samePart, type Part } from '../state/editing';
 import { minus } from '../state/outline';
-import type { Drag, EdgePlace, Hand, Held, PatternTool, Way } from '../tools/PatternTool';
+import type { Drag, EdgePlace, Hand, Held, PatternTool, Spot, Way } from '../tools/PatternTool';
 import { useHeld, type HeldState } from './useHeld';
 import { panned, type Viewport } from './Viewport';
 
@@ -12,6 +12,8 @@ import { panned, type Viewport } from './Viewport';
 const kFar = 4;
 /** Pixels within which a point jumps to the height or column of another. */
 const kSnap = 5;
+/** Pixels within which a place on an outline jumps along it. */
+const kTraceSnap = 7;
 /** Arrow keys that follow each other within this many milliseconds become one edit. */
 const kNudgeMs = 350;
 
@@ -40,6 +42,7 @@ export interface PlaneHandlers {
   onPointerMove(event: PointerEvent): void;
   onPointerUp(event: PointerEvent): void;
   onPointerCancel(): void;
+  onPointerLeave(): void;
 }
 
 export interface HandsOptions {
@@ -47,6 +50,8 @@ export interface HandsOptions {
   tool: PatternTool;
   view(): Viewport;
   move(next: Viewport): void;
+  /** The point of the plane under the pointer, mm. */
+  worldOf(event: MouseEvent): Point;
 }
 
 const isPointer = (event: PointerEvent | KeyboardEvent): event is PointerEvent => event.type === 'pointerdown';
@@ -57,6 +62,7 @@ const isOther = (event: PointerEvent | KeyboardEvent): boolean => isPointer(even
 export function useHands(options: HandsOptions): Hands {
   const { hand, tool } = options;
   const press = useRef<Press | null>(null);
+  const tracedBy = useRef<number | null>(null);
   const held = useHeld();
   const nudge = useNudge(options, held);
 
@@ -74,7 +80,7 @@ export function useHands(options: HandsOptions): Hands {
     },
     clickPiece: (piece) => tool.clickPiece(hand, piece),
     pressEdge: (at, event) => {
-      if (isOther(event)) return;
+      if (isOther(event) || (tool.trace && isPointer(event))) return;
       event.stopPropagation();
       tool.edges?.press(hand, at, isPointer(event) ? null : event.key);
     },
@@ -85,7 +91,7 @@ export function useHands(options: HandsOptions): Hands {
       if (drag && isPointer(event) && !held.isOnItsWay()) begin(event, drag, () => undefined);
     },
     nudge,
-    plane: planeHandlers(options, held, press, begin),
+    plane: tracing(options, tracedBy, planeHandlers(options, held, press, begin)),
   };
 }
 
@@ -102,6 +108,41 @@ function useNudge({ hand, tool }: HandsOptions, held: HeldState): Hands['nudge']
     held.show(next);
     if (waiting.current) clearTimeout(waiting.current);
     waiting.current = setTimeout(() => void held.send(drag, next), kNudgeMs);
+  };
+}
+
+/** The plane's handlers, behind those of a tool that follows the pointer; `by` is the one that is pressed. */
+function tracing({ hand, tool, view, worldOf }: HandsOptions, by: MutableRef<number | null>, plane: PlaneHandlers): PlaneHandlers {
+  const { trace } = tool;
+  if (!trace) return plane;
+  const spotOf = (event: PointerEvent): Spot => ({ at: worldOf(event), way: wayOf(event, view().scale, kTraceSnap) });
+  return {
+    onPointerDown: (event) => {
+      if (event.button !== 0 || !trace.press(hand, spotOf(event))) return plane.onPointerDown(event);
+      event.preventDefault();
+      by.current = event.pointerId;
+      const sheet = event.currentTarget as SVGSVGElement;
+      // A button that was pressed before would take the keys that follow.
+      sheet.focus({ preventScroll: true });
+      sheet.setPointerCapture(event.pointerId);
+    },
+    onPointerMove: (event) => {
+      if (event.buttons === 0 || by.current !== null) trace.move(hand, spotOf(event));
+      if (by.current === null) plane.onPointerMove(event);
+    },
+    onPointerUp: (event) => {
+      if (by.current !== event.pointerId) return plane.onPointerUp(event);
+      by.current = null;
+      trace.release(hand, spotOf(event));
+    },
+    onPointerCancel: () => {
+      by.current = null;
+      plane.onPointerCancel();
+    },
+    onPointerLeave: () => {
+      trace.move(hand, null);
+      plane.onPointerLeave();
+    },
   };
 }
 
@@ -151,11 +192,12 @@ function planeHandlers(
       press.current = null;
       held.show(null);
     },
+    onPointerLeave: () => undefined,
   };
 }
 
-const wayOf = ({ shiftKey, altKey }: PointerEvent, scale: number): Way => ({
+const wayOf = ({ shiftKey, altKey }: PointerEvent, scale: number, snap = kSnap): Way => ({
   shift: shiftKey,
   alt: altKey,
-  reach: kSnap / scale,
+  reach: snap / scale,
 });

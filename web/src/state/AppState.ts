@@ -97,6 +97,8 @@ export class AppState {
   /** The sample that a project is being made of, by its id; empty: none. */
   readonly sampling: Signal<string> = signal('');
   readonly helpShown: Signal<boolean> = signal(false);
+  /** Where the tour has come; null: there is none. */
+  readonly tourStop: Signal<number | null> = signal(null);
   /** The dialog in which links to the shown drape are made. */
   readonly sharing: Signal<boolean> = signal(false);
   readonly railShown: Signal<boolean> = signal((globalThis.innerWidth ?? 1440) > 860);
@@ -116,6 +118,11 @@ export class AppState {
   readonly allJobs: ReadonlySignal<Job[]> = computed(() => valueOf(this.jobs.value) ?? []);
 
   readonly atHome: ReadonlySignal<boolean> = computed(() => this.route.value.name === 'home');
+
+  /** A project is open, with or without a drape. */
+  readonly atWork: ReadonlySignal<boolean> = computed(
+    () => ['project', 'job'].includes(this.route.value.name) && this.project.value !== null,
+  );
 
   /** The job on the page: the route's, the newest of the route's project, or the one to be seen at the first page. */
   readonly job: ReadonlySignal<Job | null> = computed(() => {

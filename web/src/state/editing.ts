@@ -7,6 +7,7 @@ import type { ApiError } from '../api/http';
 import type { Loaded } from './AppState';
 import { jointsOf } from './outline';
 import { PerProject } from './PerProject';
+import { seriesOf, withSeries, type LoopPlace, type RangeDraft } from './seamRange';
 import { emptyDraft, type SeamDraft } from './seamView';
 import { t } from '../texts/language';
 
@@ -29,11 +30,19 @@ export type Part =
 export class EditingState extends PerProject {
   /** Id of the one that is held. */
   readonly tool: Signal<string> = this.perProject(kRestingTool);
+  /** A tool is held, or an edge or seam is selected: somebody works on the pattern. */
+  get atWork(): boolean {
+    return this.tool.value !== kRestingTool || this.part.value !== null || this.seam.value !== null;
+  }
   readonly part: Signal<Part | null> = this.perProject(null);
   readonly seam: Signal<string | null> = this.perProject(null);
   /** Under the pointer, on either view or in the list. */
   readonly litSeam: Signal<string | null> = this.perProject(null);
   readonly draft: Signal<SeamDraft> = this.perProject(emptyDraft);
+  /** The range of an outline that is being drawn, to be sewn. */
+  readonly range: Signal<RangeDraft | null> = this.perProject(null);
+  /** Where a range would begin, or ends at the moment. */
+  readonly place: Signal<LoopPlace | null> = this.perProject(null);
   readonly busy: Signal<boolean> = signal(false);
   /** The last edit that was refused, until another one is tried. */
   readonly problem: Signal<ApiError | null> = this.perProject(null);
@@ -115,6 +124,13 @@ export function findPart(
   if (part.kind === 'edge') return { piece, edge, at: null };
   const at = part.kind === 'point' ? jointsOf(edge)[part.point] : edge.curves[part.curve]?.[part.handle];
   return at ? { piece, edge, at } : null;
+}
+
+/** The seam that is being made, with the range that is being drawn. */
+export function draftShown({ draft, range }: EditingState, pieces: readonly Piece[]): SeamDraft {
+  const drawn = range.value;
+  if (!drawn) return draft.value;
+  return withSeries(draft.value, seriesOf(pieces.find(({ id }) => id === drawn.start.piece), drawn));
 }
 
 export const samePart = (a: Part | null, b: Part | null): boolean => JSON.stringify(a) === JSON.stringify(b);

@@ -96,6 +96,10 @@ export function seamMarks(parts: readonly SeamPart[], long: number): SeamMark[] 
   });
 }
 
+/** How long a series of edges is, with the parts of them that are sewn. */
+export const lengthOfSeries = (pieces: readonly Piece[], series: readonly SeamEdge[]): number =>
+  partsOfSide('a', series, edgesOf(pieces)).reduce((sum, part) => sum + lengthOf(part.points), 0);
+
 export interface SeamLengths {
   a: number;
   b: number;

@@ -19,6 +19,7 @@ import { report } from './de/report';
 import { scene } from './de/scene';
 import { share } from './de/share';
 import { sweep } from './de/sweep';
+import { tour } from './de/tour';
 
 export const de: Texts = {
   arrange,
@@ -39,4 +40,5 @@ export const de: Texts = {
   scene,
   share,
   sweep,
+  tour,
 };

@@ -18,6 +18,7 @@ import { report } from './en/report';
 import { scene } from './en/scene';
 import { share } from './en/share';
 import { sweep } from './en/sweep';
+import { tour } from './en/tour';
 
 export const en = {
   arrange,
@@ -38,6 +39,7 @@ export const en = {
   scene,
   share,
   sweep,
+  tour,
 };
 
 export type Texts = typeof en;

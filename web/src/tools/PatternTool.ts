@@ -43,6 +43,22 @@ export interface Way {
   readonly reach: number;
 }
 
+/** Where the pointer is on the plane. */
+export interface Spot {
+  /** mm, y up. */
+  readonly at: Point;
+  readonly way: Way;
+}
+
+/** Follows the pointer over all of the plane, pressed or not, before anything that lies on it is asked. */
+export interface Trace {
+  /** Null: it has left. */
+  move(hand: Hand, spot: Spot | null): void;
+  /** False: the press is for what lies below. */
+  press(hand: Hand, spot: Spot): boolean;
+  release(hand: Hand, spot: Spot): void;
+}
+
 /** What a press becomes when the pointer moves. It keeps nothing: what it returned last is handed back to it. */
 export interface Drag {
   /** What is held once the pointer is `by` mm from where it came down. */
@@ -84,6 +100,7 @@ export interface PatternTool extends ToolFacts {
   dragPiece?(hand: Hand, piece: string): Drag;
   clickSeam?(hand: Hand, seam: string): void;
   readonly edges?: EdgeHandlers;
+  readonly trace?: Trace;
   /** Takes a point or handle of the selected piece, which stands at `at`; without it none are shown. */
   grab?(hand: Hand, part: Part, at: Point): Drag;
 

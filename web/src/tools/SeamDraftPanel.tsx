@@ -1,8 +1,10 @@
 // The seam that is being made: both sides as they are clicked together.
 
-import type { Pieces } from '../api/types';
+import type { Pieces, SeamEdge } from '../api/types';
+import { draftShown } from '../state/editing';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
+import { tidied } from '../state/seamRange';
 import { lengthsText, seamColour, seamLengths, seriesText, type Side } from '../state/seamView';
 import { Icon } from '../controls/Icon';
 import { NumberField } from '../controls/NumberField';
@@ -13,7 +15,10 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
   const state = useAppState();
   const { pattern } = useCommands();
   const { draft } = state.editing;
-  const { a, b, side, sameDirection } = draft.value;
+  const shown = draftShown(state.editing, pieces.pieces);
+  const { a, b, side } = shown;
+  // Of ranges both sides run as they were drawn: turned is what differs from pieces that lie side by side.
+  const turned = tidied(shown).sameDirection;
   const { a: lengthA, b: lengthB } = seamLengths(pieces.pieces, { id: '', a, b });
   const both = a.length > 0 && b.length > 0;
   const { lengths, difference } = lengthsText(lengthA, lengthB);
@@ -28,11 +33,11 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
           onClick={() => (draft.value = { ...draft.value, side: one })}
         >
           <em>{one.toUpperCase()}</em>
-          <span>{draft.value[one].length > 0 ? seriesText(draft.value[one], pieces.pieces) : t.pattern.clickEdges}</span>
-          <small>{draft.value[one].length > 0 ? patternLength(one === 'a' ? lengthA : lengthB) : ''}</small>
+          <span>{shown[one].length > 0 ? seriesText(shown[one], pieces.pieces) : t.pattern.clickEdges}</span>
+          <small>{shown[one].length > 0 ? patternLength(one === 'a' ? lengthA : lengthB) : ''}</small>
         </button>
       ))}
-      <DraftEdges side={side} />
+      <DraftEdges side={side} pieces={pieces} />
       {both && (
         <p>
           {lengths} · <b>{difference}</b>
@@ -42,7 +47,7 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
         <button class="primary" disabled={!both} onClick={() => void pattern.addSeam()}>
           {t.common.sew}
         </button>
-        <button class="plain" disabled={!both} aria-pressed={sameDirection} onClick={() => pattern.turnDraft()}>
+        <button class="plain" disabled={!both} aria-pressed={turned} onClick={() => pattern.turnDraft()}>
           {t.pattern.reverse}
         </button>
         <button class="plain" onClick={() => pattern.clearDraft()}>
@@ -54,7 +59,7 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
 }
 
 /** Edges of the side that is collected, each with the part of it that is sewn. */
-function DraftEdges({ side }: { side: Side }) {
+function DraftEdges({ side, pieces }: { side: Side; pieces: Pieces }) {
   const state = useAppState();
   const { pattern } = useCommands();
   const series = state.editing.draft.value[side];
@@ -62,31 +67,41 @@ function DraftEdges({ side }: { side: Side }) {
   return (
     <ul class="draft-edges" aria-label={t.pattern.edgesOfSide(side.toUpperCase())}>
       {series.map((use, i) => (
-        <li key={`${use.piece} ${use.edge}`}>
+        <li key={`${i} ${use.piece} ${use.edge}`}>
           <span>
             {use.piece} · {use.edge}
           </span>
-          <NumberField
-            label={t.pattern.from}
-            unit="%"
-            value={100 * (use.from ?? 0)}
-            take={(from) => pattern.cutDraft(side, i, from / 100, use.to ?? 1)}
-          />
-          <NumberField
-            label={t.pattern.to}
-            unit="%"
-            value={100 * (use.to ?? 1)}
-            take={(to) => pattern.cutDraft(side, i, use.from ?? 0, to / 100)}
-          />
+          <RangeFields use={use} {...{ pieces }} take={(from, to) => pattern.cutDraft(side, i, from, to)} />
           <button
             class="tool flat"
             aria-label={t.pattern.leaveOut(`${use.piece} · ${use.edge}`)}
-            onClick={() => pattern.sewEdge(use.piece, use.edge)}
+            onClick={() => pattern.leaveOut(side, i)}
           >
             <Icon name="cross" />
           </button>
         </li>
       ))}
     </ul>
+  );
+}
+
+interface RangeFieldsProps {
+  use: SeamEdge;
+  pieces: Pieces;
+  /** Fractions of the edge's length. */
+  take(from: number, to: number): void;
+}
+
+/** Where on its edge it begins and ends, from the edge's start. */
+function RangeFields({ use, pieces, take }: RangeFieldsProps) {
+  const piece = pieces.pieces.find(({ id }) => id === use.piece);
+  const length = piece?.edges.find(({ id }) => id === use.edge)?.length_mm ?? 0;
+  if (length <= 0) return null;
+  const { from = 0, to = 1 } = use;
+  return (
+    <>
+      <NumberField label={t.pattern.from} length value={from * length} take={(mm) => take(mm / length, to)} />
+      <NumberField label={t.pattern.to} length value={to * length} take={(mm) => take(from, mm / length)} />
+    </>
   );
 }

@@ -109,8 +109,8 @@ export const bindings: Binding[] = [
     run: (_, s) => void (s.bodyShown.value = !s.bodyShown.value),
   },
   {
-    key: 'm',
-    shown: 'M',
+    key: 'w',
+    shown: 'W',
     title: () => t.keys.does.mesh,
     group: 'view',
     run: (_, s) => void (s.meshShown.value = !s.meshShown.value),
@@ -144,7 +144,7 @@ export const bindings: Binding[] = [
     group: 'help',
     run: (c, s) => {
       if (s.helpShown.value) s.helpShown.value = false;
-      else if (!c.live.putAway() && !c.pattern.cancel()) c.select(null);
+      else if (!c.tours.end() && !c.live.putAway() && !c.pattern.cancel()) c.select(null);
     },
   },
 ];

@@ -2,8 +2,16 @@
 
 import type { AppState } from '../state/AppState';
 import { SeamDraftPanel } from './SeamDraftPanel';
-import type { PatternTool } from './PatternTool';
+import type { EdgePlace, Hand, PatternTool } from './PatternTool';
 import { t } from '../texts/language';
+
+/** Takes an edge into the seam that is being made, or gives it back; Enter on one that is taken goes on, as after clicks. */
+export function sewByKeys({ state, commands }: Hand, { piece, edge }: EdgePlace, key: string | null): void {
+  const draft = state.editing.draft.value;
+  const taken = draft[draft.side].some((use) => use.piece === piece && use.edge === edge);
+  if (taken && key === 'Enter') void commands.pattern.finishSide();
+  else commands.pattern.sewEdge(piece, edge);
+}
 
 export const sew: PatternTool = {
   id: 'sew',
@@ -17,13 +25,7 @@ export const sew: PatternTool = {
   },
   edges: {
     tabbed: 'all',
-    press: ({ state, commands }, { piece, edge }, key) => {
-      const draft = state.editing.draft.value;
-      // Enter on an edge that is taken already goes on, as it does after clicks.
-      const taken = draft[draft.side].some((use) => use.piece === piece && use.edge === edge);
-      if (taken && key === 'Enter') void commands.pattern.finishSide();
-      else commands.pattern.sewEdge(piece, edge);
-    },
+    press: sewByKeys,
   },
   say: ({ editing }: AppState) => {
     const { side, a } = editing.draft.value;

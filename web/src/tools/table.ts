@@ -10,11 +10,12 @@ import { points } from './points';
 import { probe } from './probe';
 import { pull } from './pull';
 import type { SceneTool } from './SceneTool';
+import { range } from './range';
 import { select } from './select';
 import { sew } from './sew';
 
 /** Of the 2D view, as their buttons stand. The first is held when all others have been put down. */
-export const patternTools: readonly PatternTool[] = [pieces, points, sew];
+export const patternTools: readonly PatternTool[] = [pieces, points, sew, range];
 
 /** Of the 3D view: what comes earlier is asked first. */
 export const sceneTools: readonly SceneTool[] = [pick, landmarks, places, pull, pin, probe, select];

@@ -14,6 +14,7 @@ import type { PatternTool } from '../../src/tools/PatternTool';
 import { pieces } from '../../src/tools/pieces';
 import { points } from '../../src/tools/points';
 import { SeamDraftPanel } from '../../src/tools/SeamDraftPanel';
+import { range } from '../../src/tools/range';
 import { sew } from '../../src/tools/sew';
 import { projectOf, seamOf, squareOf } from '../fakes';
 
@@ -308,23 +309,83 @@ describe('the tool for seams', () => {
     page.show(<SeamDraftPanel pieces={{ pieces: [squareOf('a', 0, 0, 100), squareOf('b', 0, 0, 80)], seams: [] }} />);
     expect(button(/^A/).textContent).toBe('Aa · right100.0 mm');
     expect(screen.getByText(/100\.0 ⇄ 80\.0 mm/)).toBeTruthy();
-    type(screen.getByRole('textbox', { name: 'to %' }), '50');
+    type(screen.getByRole('textbox', { name: 'to mm' }), '50');
     for (const name of ['Leave out a · e1', 'Sew', 'Reverse', 'Clear']) click(button(name));
     expect(page.asked()).toEqual([
       ['pattern.cutDraft', 'a', 0, 0, 0.5],
-      ['pattern.sewEdge', 'a', 'e1'],
+      ['pattern.leaveOut', 'a', 0],
       ['pattern.addSeam'],
       ['pattern.turnDraft'],
       ['pattern.clearDraft'],
     ]);
     click(button(/^B/));
     expect(page.state.editing.draft.value.side).toBe('b');
+    const pressed = (): string | null => button('Reverse').getAttribute('aria-pressed');
+    expect(pressed()).toBe('false');
+    // A range against its outline, as it is drawn on a piece that lies beside the other.
+    const drawn = { b: [{ piece: 'b', edge: 'e3', reversed: true }], sameDirection: true };
+    page.change(({ editing }) => (editing.draft.value = { ...editing.draft.value, ...drawn }));
+    expect(pressed()).toBe('false');
+    page.change(({ editing }) => (editing.draft.value = { ...editing.draft.value, sameDirection: false }));
+    expect(pressed()).toBe('true');
   });
 
   it('sews nothing before both sides have an edge', () => {
     page.show(<SeamDraftPanel pieces={{ pieces: [], seams: [] }} />);
     expect(button('Sew').hasAttribute('disabled')).toBe(true);
     expect(screen.getAllByText('Click edges on the pieces').length).toBe(2);
+  });
+});
+
+describe('the tool for ranges', () => {
+  it('asks for what the pointer does on all of the plane, and for whole edges by keys', () => {
+    open(range);
+    expect(note()).toBe('Click where one side begins, and where it ends');
+    const plane = screen.getByRole('group');
+    fireEvent.pointerMove(plane, { clientX: 100, clientY: 100 });
+    fireEvent.pointerDown(button(/Edge e1 of a/), { clientX: 100, clientY: 100, button: 0, buttons: 1, shiftKey: true });
+    expect(document.activeElement, 'keys that follow are the plane’s').toBe(plane);
+    fireEvent.pointerMove(plane, { clientX: 140, clientY: 100, buttons: 1 });
+    fireEvent.pointerUp(plane, { clientX: 140, clientY: 100, button: 0 });
+    fireEvent.pointerLeave(plane);
+    fireEvent.keyDown(button(/Edge e1 of a/), { key: 'Enter' });
+    const calls = page.asked();
+    expect(calls.map(([name]) => name)).toEqual([
+      'ranges.point',
+      'ranges.press',
+      'ranges.point',
+      'ranges.release',
+      'ranges.point',
+      'pattern.sewEdge',
+    ]);
+    expect(calls[1]![2]).toBe(true);
+    const [pressed, moved] = [calls[1]![1], calls[2]![1]] as { at: [number, number]; reach: number }[];
+    expect((moved!.at[0] - pressed!.at[0]) * scale()).toBeCloseTo(40, 6);
+    expect(pressed!.reach * scale()).toBeCloseTo(7, 6);
+    expect(calls[4]).toEqual(['ranges.point', null]);
+  });
+
+  it('shows how long the range is and what it has met, and what is next', () => {
+    open(range, []);
+    const start = { piece: 'a', loop: 0, position: 120, point: [100, 20] as [number, number], snap: null };
+    page.change(({ editing }) => (editing.place.value = start));
+    expect(note()).toBe('Click where one side begins, and where it ends · 20.0 | 80.0 mm');
+    page.change(({ editing }) => {
+      editing.place.value = { ...start, position: 200, point: [100, 100], snap: 'corner' };
+      editing.range.value = { start, end: editing.place.value, way: 80 };
+    });
+    expect(document.querySelector('.range-chip')!.textContent).toBe('80.0 mm, corner');
+    expect(note()).toMatch(/^Click where it ends/);
+    expect(document.querySelectorAll('[data-seam=new] .seam-line').length).toBe(1);
+    page.change(({ editing }) => {
+      editing.range.value = null;
+      editing.place.value = null;
+      editing.draft.value = { ...emptyDraft, a: [{ piece: 'a', edge: 'e1', from: 0.2 }], side: 'b' };
+    });
+    expect(note()).toMatch(/^Click where the other side begins/);
+    page.change(({ editing }) => (editing.draft.value = { ...editing.draft.value, b: [{ piece: 'b', edge: 'e3', to: 0.8 }] }));
+    expect(note()).toBe('New seam 80.0 ⇄ 80.0 mm · equal · Enter sews');
+    expect(button(/Edge e1 of a/).getAttribute('aria-pressed')).toBe('false');
   });
 });
 

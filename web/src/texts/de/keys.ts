@@ -74,7 +74,16 @@ export const keys: Texts['keys'] = {
       hint: 'Kanten zusammenklicken',
       help: 'Kanten zusammennähen',
     },
+    range: {
+      title: 'Frei nähen',
+      hint: 'Einen Abschnitt eines Umrisses an einen anderen nähen',
+      help: 'Abschnitte von Kanten zusammennähen',
+    },
   },
   sewOne: 'Klicken Sie die Kanten der einen Seite an, dann',
   sewOther: 'Klicken Sie die Kanten der anderen Seite an, dann',
+  rangeOne: 'Klicken Sie dorthin, wo eine Seite beginnt, und dorthin, wo sie endet',
+  rangeEnd: 'Klicken Sie dorthin, wo sie endet; Umschalt: mehr zur selben Seite, Alt: ohne Sprünge',
+  rangeOther: 'Klicken Sie dorthin, wo die andere Seite beginnt, am selben Ende, und dorthin, wo sie endet',
+  sewNow: 'näht',
 };

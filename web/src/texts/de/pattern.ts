@@ -26,6 +26,14 @@ export const pattern: Texts['pattern'] = {
   edgesOfSide: (side) => `Kanten der Seite ${side}`,
   from: 'von',
   to: 'bis',
+  /** What a place on an outline has met. */
+  snaps: {
+    corner: 'Ecke',
+    middle: 'Mitte',
+    notch: 'Knips',
+    sewn: 'Ende einer Naht',
+    equal: 'so lang wie die andere Seite',
+  },
   leaveOut: (edge) => `${edge} weglassen`,
   proposed: 'Vorgeschlagene Nähte',
   proposals: 'Vorschläge',

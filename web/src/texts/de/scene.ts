@@ -42,7 +42,7 @@ export const scene: Texts['scene'] = {
   noWebglBecause: (why) => `Dieser Browser konnte WebGL 2 nicht öffnen: ${why}`,
   bodyKey: 'Körper (B)',
   body: 'Körper',
-  meshKey: 'Netz (M)',
+  meshKey: 'Netz (W)',
   mesh: 'Netz',
   failed: 'Diese Drapierung ist fehlgeschlagen',
   whereBegan: 'Die Teile stehen, wo sie begann.',

@@ -72,7 +72,16 @@ export const keys = {
       hint: 'Click edges together',
       help: 'Sew edges together',
     },
+    range: {
+      title: 'Free sew',
+      hint: 'Sew a part of an outline to another',
+      help: 'Sew parts of edges together',
+    },
   },
   sewOne: 'Click the edges of one side, then press',
   sewOther: 'Click the edges of the other side, then press',
+  rangeOne: 'Click where one side begins, and where it ends',
+  rangeEnd: 'Click where it ends; Shift: more to the same side, Alt: no jumps',
+  rangeOther: 'Click where the other side begins, at the same end, and where it ends',
+  sewNow: 'sews',
 };

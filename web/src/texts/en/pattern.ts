@@ -25,6 +25,14 @@ export const pattern = {
   edgesOfSide: (side: string) => `Edges of side ${side}`,
   from: 'from',
   to: 'to',
+  /** What a place on an outline has met. */
+  snaps: {
+    corner: 'corner',
+    middle: 'middle',
+    notch: 'notch',
+    sewn: 'end of a seam',
+    equal: 'as long as the other side',
+  },
   leaveOut: (edge: string) => `Leave out ${edge}`,
   proposed: 'Proposed seams',
   proposals: 'Proposals',

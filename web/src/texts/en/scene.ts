@@ -41,7 +41,7 @@ export const scene = {
   noWebglBecause: (why: string) => `This browser could not open WebGL 2: ${why}`,
   bodyKey: 'Body (B)',
   body: 'Body',
-  meshKey: 'Mesh (M)',
+  meshKey: 'Mesh (W)',
   mesh: 'Mesh',
   failed: 'This drape failed',
   whereBegan: 'Its pieces stand where it began.',
