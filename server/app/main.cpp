@@ -233,8 +233,8 @@ CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
   verb->add_flag("--json", options.json, "Print as JSON");
   verb->footer(
       std::string(
-          "A specification brings its seams and places. For a DXF file seams are proposed, and its\n"
-          "pieces stand flat before and behind the body, to be arranged.\n\n"
+          "A specification brings its seams and places. For a DXF file seams are proposed; where some are\n"
+          "taken, its pieces are arranged around the body, else they stand flat before and behind it.\n\n"
           "Examples:\n"
           "  toile project new --pattern shirt.dxf --body body.obj --out project.json\n"
           "  toile project new --pattern shirt.dxf --body body.obj --out p.json --accept-seams 0.8\n\n") +

@@ -13,10 +13,12 @@
 #include "core/base/write_file.h"
 #include "core/json/tree.h"
 #include "core/project/create/create.h"
+#include "core/project/resolve/resolve.h"
 #include "server/app/bring_file.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
 #include "server/app/mesh_reader.h"
+#include "server/documents/arrangement.h"
 
 namespace toile::app {
 namespace {
@@ -105,12 +107,33 @@ Status keep(const create::NewProject& made, const ProjectNewOptions& options) {
   return write_file(options.out, project::write_project(made.project));
 }
 
+/// Pieces that were sewn come to stand around the body, as after an import on the page: rows before and
+/// behind it are no place to put a garment on from. One that cannot be arranged yet is a project all the
+/// same. REQUIRES that the files it names are in `folder`.
+void arrange_sewn(create::NewProject& made, const fs::path& folder) {
+  const Result<drape::DrapeInput> input =
+      resolve::resolve_project(made.project, resolve::files_in(folder, own_mesh_importer()));
+  const Result<arrange::Arrangement> arranged =
+      input ? documents::arrangement_of(*input) : Result<arrange::Arrangement>(input.error());
+  if (arranged)
+    documents::take_arrangement(*arranged, input->pattern, made.project);
+  else
+    made.notes.push_back("the pieces stand in rows, since they cannot be arranged: " +
+                         to_string(arranged.error()));
+}
+
 }  // namespace
 
 ExitCode project_new_command(const ProjectNewOptions& options) {
-  const Result<create::NewProject> made = make(options);
+  Result<create::NewProject> made = make(options);
   if (!made) return fail(made.error(), options.json);
   if (Status kept = keep(*made, options); !kept) return fail(kept.error(), options.json);
+  const bool sewn = std::find(made->accepted.begin(), made->accepted.end(), true) != made->accepted.end();
+  if (sewn) {
+    arrange_sewn(*made, fs::absolute(options.out).parent_path());
+    if (Status kept = write_file(options.out, project::write_project(made->project)); !kept)
+      return fail(kept.error(), options.json);
+  }
   options.json ? print_json(*made, options) : print_text(*made, options);
   return kDone;
 }

@@ -2,8 +2,11 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/json/tree.h"
+#include "core/project/project.h"
 #include "tests/app/napkin.h"
 #include "tests/app/program.h"
 
@@ -168,6 +171,36 @@ TEST(ProjectCommand, NewMakesAProjectThatChecks) {
   EXPECT_TRUE(fs::exists(folder / "made" / "post.obj")) << "the document names files beside itself";
   const Ran check = run_toile({"check", out});
   EXPECT_TRUE(has(check.out, "piece front")) << check.out << check.err;
+  fs::remove_all(folder);
+}
+
+TEST(ProjectCommand, NewArrangesADrawingThatItSews) {
+  const fs::path folder = fresh_folder("toile_project_arranged");
+  const fs::path sample = fs::path(TOILE_SOURCE_DIR) / "samples/skirt";
+  const auto made_with = [&](const std::string& body, const std::string& name,
+                             const std::vector<std::string>& more) {
+    std::vector<std::string> words{"project", "new", "--pattern", sample / "skirt.dxf",
+                                   "--body",  body,  "--out",     folder / name,
+                                   "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ran run = run_toile(words);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return std::pair{run, project::parse_project(text_of(folder / name)).value()};
+  };
+  const std::vector<std::string> sewing{"--accept-seams", "0.5"};
+  const auto [run, sewn] = made_with(sample / "body.obj", "sewn.json", sewing);
+  const auto [plain_run, plain] = made_with(sample / "body.obj", "plain.json", {});
+  EXPECT_FALSE(sewn.seams.empty());
+  EXPECT_FALSE(sewn.attachments.empty()) << "a skirt is held at its waist";
+  EXPECT_TRUE(plain.attachments.empty()) << "nothing tells where pieces go that are not sewn";
+  EXPECT_FALSE(has(run.out, "stand in rows")) << run.out;
+  EXPECT_EQ(run_toile({"check", folder / "sewn.json"}).code, 0);
+  const fs::path post = napkin_folder("toile_project_rows") / "post.obj";
+  const auto [rows_run, rows] = made_with(post, "rows.json", sewing);
+  EXPECT_TRUE(has(rows_run.out, "the pieces stand in rows")) << rows_run.out;
+  EXPECT_EQ(rows.seams.size(), sewn.seams.size());
+  EXPECT_TRUE(rows.attachments.empty());
+  fs::remove_all(post.parent_path());
   fs::remove_all(folder);
 }
 

@@ -65,6 +65,7 @@ std::string take_quantity(DxfFound& found, const std::string& value, int line, D
   DxfPiece& piece = found.piece;
   const bool pairs = !quantity->told_apart && !piece.unfolded;
   piece.quantity = sum;
+  piece.counted = true;
   piece.mirrored = pairs ? sum / 2 : quantity->mirrored;
   return piece.mirrored > 0 ? "quantity, some of them turned over" : "quantity";
 }

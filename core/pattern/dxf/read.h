@@ -32,6 +32,7 @@ struct DxfPiece {
   std::string size;               ///< of a graded file, empty otherwise
   int quantity = 1;               ///< how often it is cut, those turned over included
   int mirrored = 0;               ///< how many of them are turned over: as told, else every second one
+  bool counted = false;           ///< the file says how often it is cut
   std::string category, material, annotation;
   bool unfolded = false;    ///< the file holds a half, to be cut on the fold
   bool on_sew_line = true;  ///< false: on the cut line, with its seam allowance if it has one

@@ -220,10 +220,12 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   return hanging && upright && !is_neck(ka) && !is_neck(kb) ? kWeights.only_hangs : 0;
 }
 
-/// Whether both pieces are known to be of one kind, which lie alike.
+/// Whether both pieces are known to be of one kind, which lie alike: or fronts and backs of a garment that
+/// names no kinds.
 bool is_named_alike(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  const PieceKind kind = m.words[a.panel].kind;
-  return kind == m.words[b.panel].kind && kind != PieceKind::kOther && !is_neck(kind);
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  if (x.kind != y.kind || is_neck(x.kind)) return false;
+  return x.kind != PieceKind::kOther || (x.face * y.face != 0 && !x.layer && !y.layer);
 }
 
 double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
@@ -276,6 +278,28 @@ double row_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return kWeights.next_in_row * (faces_right(m, first) - faces_right(m, second)) / 2;
 }
 
+/// Whether the run is as the middle of the body is, and `other` is so as well, behind it and longer.
+bool is_before_middle(const SeamModel& m, const SeamRun& run, const SeamRun& other) {
+  const Vec2 out = normalized(-perpendicular(chord(other)));
+  return is_middle(m, run) && is_middle(m, other) && run.mirror_edge != kNone && other.length > run.length &&
+         faces_right(m, run) * faces_right(m, other) > 0 &&
+         dot(run.at[kSamples / 2] - other.at[kSamples / 2], out) > kWeights.vent_out_mm;
+}
+
+/// Whether the run stands out by a step from a longer one that may lie in the middle: so do vents and flies.
+bool stands_out(const SeamModel& m, const SeamRun& run) {
+  const auto is_step = [&](const SeamRun& step) {
+    return step.length < run.length / 2 && rise(m, step) < kWeights.facing;
+  };
+  const SeamRun& after = m.runs[run.next];
+  if (is_step(after) && is_before_middle(m, run, m.runs[after.next])) return true;
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
+    const SeamRun& step = m.runs[other.next];
+    return other.panel == run.panel && &m.runs[step.next] == &run && is_step(step) &&
+           is_before_middle(m, run, other);
+  });
+}
+
 /// Whether a run twice as long faces the same side of its piece, along the grain as well: beside the middle
 /// of a back, a shorter edge is that of a vent or a fly.
 bool is_vent(const SeamModel& m, const SeamRun& run) {
@@ -295,7 +319,8 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
   const bool round = run.turn.back() > kWeights.twin_round_deg;
   double merit =
       (round ? kWeights.twin_across_round : kWeights.twin_across) * (1 - along_grain * along_grain);
-  if (bend_of(run) < kWeights.straight_deg && along_grain > kWeights.twin_straight_rise && !is_vent(m, run))
+  if (bend_of(run) < kWeights.straight_deg && along_grain > kWeights.twin_straight_rise && !is_vent(m, run) &&
+      !stands_out(m, run))
     merit += kind == PieceKind::kHood ? kWeights.twin_face : kWeights.twin_straight;
   if (run.turn.back() < kWeights.twin_hollow_deg && kind == PieceKind::kLegs)
     merit += kWeights.twin_crotch;
@@ -408,7 +433,10 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
     merit += name_merit(m.words[a.panel], m.words[b.panel], twins, twins || counterparts,
                         is_middle(m, a) && is_middle(m, b));
     merit += middle_merit(m, a, b);
-    if (twins) merit += twin_merit(m, a, rise(m, a));
+    if (twins)
+      merit += twin_merit(m, a, rise(m, a));
+    else if (stands_out(m, a) || stands_out(m, b))
+      merit += kWeights.vent;
   }
   std::array<double, 2> both{};
   for (const bool along : {false, true})

@@ -171,6 +171,20 @@ void stand_in_rows(const NewProjectSettings& settings, NewProject& made) {
   }
 }
 
+const char* why(Twice twice) {
+  switch (twice) {
+    case Twice::kForgottenHalf:
+      return "is half a garment wide and not symmetric, yet the file has it cut once";
+    case Twice::kDrawnHalf:
+      return "is not symmetric, and the file draws the garment by halves and counts no pieces";
+    case Twice::kLimb:
+      return "is of an arm or a leg, and the file neither counts pieces nor names sides";
+    case Twice::kNo:
+      break;
+  }
+  return "";
+}
+
 Status take_dxf(const dxf::DxfDrawing& given, const NewProjectSettings& settings, NewProject& made,
                 std::vector<char>& clockwise) {
   constexpr int kMostCopies = 20;
@@ -178,17 +192,17 @@ Status take_dxf(const dxf::DxfDrawing& given, const NewProjectSettings& settings
   const CutPieces cut = TRY(cut_pieces(given));
   const dxf::DxfDrawing& drawing = cut.drawing;
   const std::vector<pattern::Panel>& panels = cut.panels;
-  const std::vector<char> halves = forgotten_halves(drawing, panels);
+  const std::vector<Twice> twice = taken_twice(drawing, panels);
   made.notes = drawing.notes;
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const dxf::DxfPiece& piece = drawing.pieces[p];
-    const int count = halves[p] ? 2 : std::clamp(piece.quantity, 1, kMostCopies);
-    const int mirrored = halves[p] ? 1 : std::clamp(piece.mirrored, 0, count);
+    const bool both = twice[p] != Twice::kNo;
+    const int count = both ? 2 : std::clamp(piece.quantity, 1, kMostCopies);
+    const int mirrored = both ? 1 : std::clamp(piece.mirrored, 0, count);
     take_dxf_piece(piece, panels[p], count, mirrored, drawing, settings, used, made, clockwise);
-    if (halves[p])
-      made.notes.push_back("piece " + in_quotes(piece.name) +
-                           " is half a garment wide and not symmetric, yet the file has it cut once: it is "
-                           "taken twice, once mirrored");
+    if (both)
+      made.notes.push_back("piece " + in_quotes(piece.name) + " " + why(twice[p]) +
+                           ": it is taken twice, once mirrored");
   }
   stand_in_rows(settings, made);
   return {};

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/pattern/curve.h"
 #include "core/pattern/seams/confidence.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/seams/propose.h"
@@ -223,6 +225,36 @@ TEST(ProposeByKinds, CloseABackThatIsCutInHalvesOverItsVent) {
   const std::vector<SeamProposal> proposals = seams::propose_seams(pattern, {true});
   EXPECT_GE(surest(pattern, proposals, "back", "back_mirrored"), 0.8);
   EXPECT_GE(surest(pattern, proposals, "front", "back"), 0.8);
+}
+
+TEST(ProposeByKinds, CloseABackAboveAVentThatIsNearlyAsLong) {
+  // A pencil skirt drawn by halves, with names that tell no kinds.
+  const auto half_back = [](const std::string& id) {
+    return garments::piece(id, {{0, 0}, {290, 0}, {260, 627}, {26, 612}, {26, 278}, {0, 252}});
+  };
+  const auto half_front = [](const std::string& id) {
+    return garments::piece(id, {{0, 0}, {248, 0}, {219, 627}, {0, 612}});
+  };
+  const pattern::Pattern pattern{{half_back("back"), garments::mirrored(half_back("x"), "back_mirrored"),
+                                  half_front("front"), garments::mirrored(half_front("y"), "front_mirrored")},
+                                 {}};
+  double middle = 0, vent = 0, hem = 0;
+  for (const SeamProposal& p : seams::propose_seams(pattern)) {
+    const pattern::SeamEdge &a = p.seam.a[0], &b = p.seam.b[0];
+    const auto length = [&](const pattern::SeamEdge& e) {
+      return pattern::arc_length(pattern.panels[e.panel].outline.edges[e.edge]);
+    };
+    const auto is = [&](double x, double y) {
+      return (std::abs(length(a) - x) < 1 && std::abs(length(b) - y) < 1) ||
+             (std::abs(length(a) - y) < 1 && std::abs(length(b) - x) < 1);
+    };
+    if (is(334, 334)) middle = std::max(middle, p.confidence);
+    if (is(252, 252)) vent = std::max(vent, p.confidence);
+    if (is(252, 248)) hem = std::max(hem, p.confidence);
+  }
+  EXPECT_GE(middle, 0.8);
+  EXPECT_LT(vent, 0.65);
+  EXPECT_LT(hem, 0.65) << "an upright edge and a hem";
 }
 
 TEST(ProposeByKinds, PartASeamWhereEdgesEndOnBothSides) {

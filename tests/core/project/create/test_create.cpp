@@ -168,7 +168,53 @@ TEST(ProjectNew, AHalfBackAmongPairsIsCutTwice) {
   EXPECT_NE(halves.notes.back().find("\"back\""), std::string::npos) << halves.notes.back();
   const create::NewProject whole = made_of({{-300, 0}, {300, 0}, {260, 500}, {-260, 500}}, "Quantity: 2");
   EXPECT_EQ(whole.project.pieces.size(), 5U) << "its own mirror image needs no other";
-  EXPECT_EQ(made_of(half, "Quantity: 1").project.pieces.size(), 3U) << "a file that counts nothing";
+  EXPECT_EQ(made_of(half, "Quantity: 1").project.pieces.size(), 3U) << "as the file counts";
+}
+
+/// Of a front and a back this wide, as nodes from the middle or around it, and a sleeve of this name.
+dxf::DxfDrawing top_that_counts_nothing(const std::vector<garments::Node>& front,
+                                        const std::vector<garments::Node>& back, const std::string& sleeve) {
+  dxf::DxfDrawing drawing =
+      dxf::read_dxf(drawing_of({garments::piece("front", front), garments::piece("back", back),
+                                garments::piece(sleeve, {{0, 0}, {200, 0}, {180, 400}, {30, 420}})}))
+          .value();
+  for (dxf::DxfPiece& piece : drawing.pieces) {
+    EXPECT_TRUE(piece.counted) << "it says 'Quantity: 1'";
+    piece.counted = false;
+  }
+  return drawing;
+}
+
+std::size_t pieces_of(const dxf::DxfDrawing& drawing) {
+  return create::new_project(drawing, settings()).value().project.pieces.size();
+}
+
+TEST(ProjectNew, AGarmentDrawnByHalvesIsTakenTwice) {
+  const std::vector<garments::Node> front{{0, 0}, {280, 0}, {250, 500}, {0, 480}},
+      back{{0, 0}, {300, 0}, {260, 500}, {0, 520}};
+  const dxf::DxfDrawing halves = top_that_counts_nothing(front, back, "sleeve");
+  const create::NewProject made = create::new_project(halves, settings()).value();
+  EXPECT_EQ(made.project.pieces.size(), 6U);
+  EXPECT_EQ(std::count_if(made.project.pieces.begin(), made.project.pieces.end(),
+                          [](const project::ProjectPiece& p) { return p.id.ends_with("_mirrored"); }),
+            3);
+  EXPECT_EQ(made.notes.size(), 3U) << "each is told";
+  dxf::DxfDrawing counted = halves;
+  for (dxf::DxfPiece& piece : counted.pieces) piece.counted = true;
+  EXPECT_EQ(pieces_of(counted), 3U) << "as the file says";
+  EXPECT_EQ(pieces_of(top_that_counts_nothing(front, back, "left_sleeve")), 3U) << "sides are told apart";
+  const std::vector<garments::Node> wide{{0, 0}, {460, 0}, {420, 500}, {0, 480}};
+  EXPECT_EQ(pieces_of(top_that_counts_nothing(wide, wide, "sleeve")), 4U)
+      << "goes around a person by itself, however uneven";
+}
+
+TEST(ProjectNew, AFileWithOneSleeveForBothArmsGivesTwo) {
+  const std::vector<garments::Node> whole{{-280, 0}, {280, 0}, {250, 500}, {-250, 500}};
+  const create::NewProject made =
+      create::new_project(top_that_counts_nothing(whole, whole, "sleeve"), settings()).value();
+  ASSERT_EQ(made.project.pieces.size(), 4U);
+  ASSERT_EQ(made.notes.size(), 1U);
+  EXPECT_NE(made.notes[0].find("\"sleeve\""), std::string::npos) << made.notes[0];
 }
 
 TEST(ProjectNew, NamesTellWhatAGarmentIsMadeOf) {
