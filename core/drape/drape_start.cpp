@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arrange/arrange.h"
+#include "core/base/aabb.h"
 #include "core/drape/left_open.h"
 #include "core/drape/worn_part.h"
 #include "core/mesh/make_panel_meshes.h"
@@ -90,6 +91,41 @@ bool stand_alike(const DrapeStart& start, const std::vector<sewing::Placement>& 
                     [](Vec3 p, Vec3 q) { return length(p - q) < kAlike; });
 }
 
+/// Where the pieces are arranged (core/arrange), those without a place where they stand; nothing where none
+/// can be.
+std::optional<std::vector<sewing::Placement>> arranged_anew(const DrapeInput& input,
+                                                            const DrapeStart& start) {
+  auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
+  if (!anew) return std::nullopt;
+  for (const Index p : anew->unplaced) anew->placements[p] = input.placements[p];
+  return std::move(anew->placements);
+}
+
+/// Whether most of the cloth lies beside the bodies, as pieces in rows do: they stand there as they were
+/// drawn, and nobody gets dressed from there. What something holds there is meant to be there.
+bool lies_beside(const DrapeInput& input, const DrapeStart& start) {
+  constexpr double kBeside = 0.1;  // m
+  if (!input.attachments.empty()) return false;
+  Aabb<Vec3> bodies;
+  for (const body::Body& body : input.bodies)
+    for (const Vec3& p : body.mesh.vertices) bodies.add(p);
+  const Aabb<Vec3> near = bodies.grown(kBeside);
+  const std::vector<Vec3>& x = start.placed.positions;
+  const auto beside = std::count_if(x.begin(), x.end(), [&](const Vec3& p) {
+    return p.x < near.low.x || p.x > near.high.x || p.z < near.low.z || p.z > near.high.z;
+  });
+  return 2 * beside > std::ssize(x);
+}
+
+/// What came of two starts, of which the first was not certified: the second, if that was or tells no less of
+/// what kept it from being, or came nearer.
+PutOnTries nearer_of(PutOnTries first, PutOnTries second) {
+  first.effort = second.effort;
+  first.gave_up = second.gave_up = first.gave_up || second.gave_up;
+  if (second.on || first.at_fault.empty()) return second;
+  return second.at_fault.empty() || first.shortfall < second.shortfall ? first : second;
+}
+
 }  // namespace
 
 void begin_on_body(DrapeStart& start) {
@@ -126,8 +162,8 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
   const auto ways = static_cast<int>(dressing::dressing_ways().size());
   const dressing::Wearer wearer(*start.person);
   std::size_t next = 0;
-  const auto from = [&](const std::vector<sewing::Placement>& placements, int before, std::size_t first) {
-    const dressing::Effort part = effort.half();
+  const auto from = [&](const std::vector<sewing::Placement>& placements, int before, std::size_t first,
+                        dressing::Effort part) {
     dressing::TriedOn tried = put_on_from(input, start.meshes, placements, wearer, first, part, context);
     next = tried.next;
     PutOnTries tries;
@@ -140,28 +176,35 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
     tries.at_fault = std::move(tried.at_fault);
     return tries;
   };
+  const auto passed_over = [&](int before) { return static_cast<std::size_t>(std::max(0, after - before)); };
+  const bool drawn = after == kSewnInPlace && lies_beside(input, start);
+  std::optional<std::vector<sewing::Placement>> anew;
+  bool alike = false;
+  const auto arrange_anew = [&] {
+    anew = arranged_anew(input, start);
+    alike = anew && stand_alike(start, *anew, input.notions);
+  };
   PutOnTries tries;
   tries.effort = effort;
-  const auto passed_over = [&](int before) { return static_cast<std::size_t>(std::max(0, after - before)); };
-  if (after < ways) tries = from(input.placements, 0, passed_over(0));
+  if (drawn) arrange_anew();
+  if (anew && !alike) {
+    tries = from(*anew, ways, 0, effort);
+    if (tries.on || context.cancelled()) return tries;
+    return nearer_of(std::move(tries), from(input.placements, 0, 0, effort));
+  }
+  if (after < ways) tries = from(input.placements, 0, passed_over(0), effort.half());
   if (tries.on || after >= 2 * ways || context.cancelled()) return tries;
-  auto anew = arrange::arrange({input.pattern, start.meshes, input.bodies, names_left_out(input)});
-  if (!anew) return tries;
-  for (const Index p : anew->unplaced) anew->placements[p] = input.placements[p];
-  const bool alike = stand_alike(start, anew->placements, input.notions);
-  if (alike && !tries.gave_up) return tries;
-  // Where they stand so already, the work is for the ways that were not reached.
-  PutOnTries arranged =
-      alike ? from(input.placements, 0, next) : from(anew->placements, ways, passed_over(ways));
-  tries.effort = arranged.effort;
-  tries.gave_up = arranged.gave_up = (tries.gave_up && !alike) || arranged.gave_up;
-  const bool further = !arranged.at_fault.empty() && tries.shortfall < arranged.shortfall;
-  return arranged.on || tries.at_fault.empty() || !further ? std::move(arranged) : std::move(tries);
+  if (!drawn) arrange_anew();
+  if (!anew || (alike && !tries.gave_up)) return tries;
+  if (!alike) return nearer_of(std::move(tries), from(*anew, ways, passed_over(ways), effort.half()));
+  tries.gave_up = false;  // where they stand so already, the work is for the ways that were not reached
+  return nearer_of(std::move(tries), from(input.placements, 0, next, effort.half()));
 }
 
 std::optional<PutOnTries> dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
                                       int after, dressing::Effort effort) {
-  if (!may_put_on(input, start) || !in_question(start.findings)) return std::nullopt;
+  if (!may_put_on(input, start)) return std::nullopt;
+  if (!in_question(start.findings) && !lies_beside(input, start)) return std::nullopt;
   PutOnTries tries = put_on_after(after, input, start, context, effort);
   start.dressed = tries.on;
   if (start.dressed) begin_on_body(start);

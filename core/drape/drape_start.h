@@ -49,11 +49,11 @@ struct DrapeStart {
 Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& context);
 
 /// Puts the garment on the first body that stands like a person (core/dressing), if it has seams, the
-/// settings want it, and the look at the start found anything about where its pieces stand. Where they cannot
-/// be sewn from there, they are arranged anew (core/arrange) for that. With a certificate `start.dressed` has
-/// the shape, and findings about where pieces stand become notes; else nothing changes. Starts up to number
-/// `after` are passed over. Gives back the tries; nothing where there was nothing to try. Progress phase:
-/// "dress".
+/// settings want it, and the look at the start found anything about where its pieces stand, or most of them
+/// lie beside the bodies. Where they cannot be sewn from there, they are arranged anew (core/arrange) for
+/// that, and before anything else where they lie beside. With a certificate `start.dressed` has the shape,
+/// and findings about where pieces stand become notes; else nothing changes. Starts up to number `after` are
+/// passed over. Gives back the tries; nothing where there was nothing to try. Progress phase: "dress".
 std::optional<PutOnTries> dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
                                       int after = kSewnInPlace, dressing::Effort effort = dressing::Effort());
 

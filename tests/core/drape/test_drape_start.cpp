@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/dressing/certificate.h"
+#include "core/dressing/put_on.h"
 #include "tests/core/arrange/garments.h"
 #include "tests/core/drape/heap.h"
 
@@ -31,6 +32,22 @@ TEST(DrapeStart, PiecesInAHeapAreArrangedAnewAndPutOn) {
                                           dressing::skeleton_of(start.person->figure));
   EXPECT_EQ(rings.size(), 4U) << "neck, hem and two cuffs";
   for (const dressing::WornRing& ring : rings) EXPECT_TRUE(ring.right);
+}
+
+/// As a pattern's drawing has them, side by side from her side on.
+TEST(DrapeStart, PiecesInARowBesideHerAreArrangedBeforeAnyWayIsTriedFromThere) {
+  drape::DrapeInput input = heap();
+  double x = 1;
+  for (sewing::Placement& place : input.placements) {
+    place = sewing::RigidPlacement{{x, 0.8, 0.3}, {}, false};
+    x += 0.8;
+  }
+  const drape::DrapeStart start = started(input);
+  ASSERT_TRUE(start.dressed.has_value());
+  const auto ways = static_cast<int>(dressing::dressing_ways().size());
+  EXPECT_GT(start.dressed->start, ways) << "of the ways from where pieces are arranged";
+  const drape::DrapeStart heaped = started(heap());
+  EXPECT_EQ(start.dressed->positions, heaped.dressed.value().positions) << "as from any other place";
 }
 
 TEST(DrapeStart, WhoWantsThemSewnFromThereIsToldWhatHindersIt) {
