@@ -16,10 +16,9 @@ constexpr double kWayLeft = 0.12, kUsualWayLeft = 0.3;  // s
 
 /// Over so many windows cloth that flutters in place is watched. It may go this share of the speed of rest,
 /// in the RMS and for 99 of a hundred, which is no more than kWayLeft and kUsualWayLeft allow slow cloth
-/// under the least damping; meanwhile it may shake at so many times that speed, since cloth that is forced
-/// around more than it reaches is taut beyond what a step can follow, and shivers.
+/// under the least damping; meanwhile it may shake at so many times that speed.
 constexpr int kLongWindows = 40;
-constexpr double kLongDrift = 0.2, kLongUsualDrift = 1, kFlutter = 4;
+constexpr double kLongDrift = 0.2, kLongUsualDrift = 1, kFlutter = 2;
 
 struct Sizes {
   double rms = 0, usual = 0, most = 0;  ///< m; usual: what 99 of a hundred stay under
