@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/arrange/arrange.h"
 #include "core/base/aabb.h"
@@ -101,20 +102,25 @@ std::optional<std::vector<sewing::Placement>> arranged_anew(const DrapeInput& in
   return std::move(anew->placements);
 }
 
-/// Whether most of the cloth lies beside the bodies, as pieces in rows do: they stand there as they were
-/// drawn, and nobody gets dressed from there. What something holds there is meant to be there.
+/// Whether most of the cloth is of pieces that lie wholly beside the bodies, as pieces in rows do: they stand
+/// there as they were drawn, and nobody gets dressed from there. What something holds there is meant to be
+/// there.
 bool lies_beside(const DrapeInput& input, const DrapeStart& start) {
-  constexpr double kBeside = 0.1;  // m
+  constexpr double kBeside = 0.1;  // m, farther to the side than any part of a body
   if (!input.attachments.empty()) return false;
   Aabb<Vec3> bodies;
   for (const body::Body& body : input.bodies)
     for (const Vec3& p : body.mesh.vertices) bodies.add(p);
   const Aabb<Vec3> near = bodies.grown(kBeside);
-  const std::vector<Vec3>& x = start.placed.positions;
-  const auto beside = std::count_if(x.begin(), x.end(), [&](const Vec3& p) {
-    return p.x < near.low.x || p.x > near.high.x || p.z < near.low.z || p.z > near.high.z;
-  });
-  return 2 * beside > std::ssize(x);
+  const std::vector<Index>& first = start.placed.garment.first_vertex;
+  std::size_t beside = 0;
+  for (std::size_t p = 0; p + 1 < first.size(); ++p) {
+    const auto count = static_cast<std::size_t>(first[p + 1] - first[p]);
+    const Aabb<Vec3> piece =
+        bounding_box(std::span(start.placed.positions).subspan(static_cast<std::size_t>(first[p]), count));
+    if (piece.low.x > near.high.x || piece.high.x < near.low.x) beside += count;
+  }
+  return 2 * beside > start.placed.positions.size();
 }
 
 /// What came of two starts, of which the first was not certified: the second, if that was or tells no less of

@@ -14,6 +14,9 @@ namespace {
 
 /// Workers look up every 50 ms; a machine with other work on it may be slow.
 constexpr auto kAnswerWithin = std::chrono::seconds(5);
+/// After so long it is looked whether a worker has the drape still: one that let go of it in between never
+/// answers.
+constexpr auto kAnswerSlice = std::chrono::milliseconds(200);
 
 }  // namespace
 
@@ -44,18 +47,20 @@ Result<store::JobRow> QueueingJobService::step(const store::RequestContext& cont
 
 /// Asked of its worker; of a drape that lies in memory, looked at.
 Result<std::string> QueueingJobService::shape_now(const LiveJobPtr& job) {
-  {
-    const Changing changing = table_.changing();
-    if (!job->held) return job->run ? job->run->shape() : std::string();
-  }
-  // Whoever meshes or dresses does not look up, and has nothing that hangs.
-  const std::string phase = table_.progress(*job).phase;
-  if (phase == kStillsPhase)
-    return Error{"jobs.state", "the drape has come to its end, and is being drawn; start one from its end",
-                 "", ErrorKind::kConflict};
-  if (phase != "drape") return std::string();
-  std::optional<std::string> shape = job->shape->ask(kAnswerWithin);
-  if (shape) return std::move(*shape);
+  const auto end = std::chrono::steady_clock::now() + kAnswerWithin;
+  do {
+    {
+      const Changing changing = table_.changing();
+      if (!job->held) return job->run ? job->run->shape() : std::string();
+    }
+    // Whoever meshes or dresses does not look up, and has nothing that hangs.
+    const std::string phase = table_.progress(*job).phase;
+    if (phase == kStillsPhase)
+      return Error{"jobs.state", "the drape has come to its end, and is being drawn; start one from its end",
+                   "", ErrorKind::kConflict};
+    if (phase != "drape") return std::string();
+    if (std::optional<std::string> shape = job->shape->ask(kAnswerSlice)) return std::move(*shape);
+  } while (std::chrono::steady_clock::now() < end);
   return Error{"jobs.no_shape", "the drape does not answer how its garment hangs; try again", "",
                ErrorKind::kUnavailable};
 }

@@ -106,6 +106,21 @@ TEST_F(EditedJobs, GoOnAlsoWhereTheyArePaused) {
   EXPECT_NE(row(on->id).report.find("start.goes_on"), std::string::npos);
 }
 
+/// Whoever is asked may let go of the drape before it looks up.
+TEST_F(EditedJobs, GoOnAlsoWhereAStepEndsMeanwhile) {
+  const std::string project = project_of(cloth_over_block(300, test::kEndless));
+  for (int i = 0; i < 6; ++i) {
+    const std::string id = hanging(project);
+    ASSERT_TRUE(service->pause(kOwner, id));
+    ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kPaused));
+    ASSERT_TRUE(service->step(kOwner, id));
+    const auto on = service->go_on(kOwner, id, "");
+    ASSERT_TRUE(on) << on.error().message;
+    EXPECT_TRUE(row(on->id).files.contains(jobs::kShapeFile));
+    ASSERT_TRUE(service->cancel(kOwner, on->id));
+  }
+}
+
 TEST_F(EditedJobs, BeginFromThePiecesWhereNothingHangsYet) {
   service->stop();  // nobody begins what is submitted now
   make(1);
