@@ -102,11 +102,12 @@ std::optional<std::vector<sewing::Placement>> arranged_anew(const DrapeInput& in
   return std::move(anew->placements);
 }
 
-/// Whether most of the cloth is of pieces that lie wholly beside the bodies, as pieces in rows do: they stand
-/// there as they were drawn, and nobody gets dressed from there. What something holds there is meant to be
-/// there.
+/// Whether most of the cloth is of pieces that stand wholly beside the bodies and face ahead or back, as
+/// pieces in rows do: they stand there as they were drawn, and nobody gets dressed from there. Panels of a
+/// wide skirt stand as far out, but face the body. What something holds there is meant to be there.
 bool lies_beside(const DrapeInput& input, const DrapeStart& start) {
   constexpr double kBeside = 0.1;  // m, farther to the side than any part of a body
+  constexpr double kFlat = 0.01;   // m, from front to back
   if (!input.attachments.empty()) return false;
   Aabb<Vec3> bodies;
   for (const body::Body& body : input.bodies)
@@ -118,7 +119,8 @@ bool lies_beside(const DrapeInput& input, const DrapeStart& start) {
     const auto count = static_cast<std::size_t>(first[p + 1] - first[p]);
     const Aabb<Vec3> piece =
         bounding_box(std::span(start.placed.positions).subspan(static_cast<std::size_t>(first[p]), count));
-    if (piece.low.x > near.high.x || piece.high.x < near.low.x) beside += count;
+    const bool ahead = piece.size().z < kFlat;
+    if (ahead && (piece.low.x > near.high.x || piece.high.x < near.low.x)) beside += count;
   }
   return 2 * beside > start.placed.positions.size();
 }
