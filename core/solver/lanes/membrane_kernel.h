@@ -90,22 +90,6 @@ TOILE_INLINE void keep_limits(const LimitPack& l, LaneReader of, const Wide (&c)
            either(above(kNothing, sheared), -most_shear, most_shear));
 }
 
-/// Share of its triangle's least height by which a corner may move in a pass, by the stretches of weft and
-/// warp. Cloth that is forced around more than it reaches is stretched far beyond its limit for as long as it
-/// is worn; there it yields. Pulled back by all its strain in each pass, gathers of 10 mm shivered for ever
-/// by 1 mm.
-TOILE_INLINE Wide reach_of(const LimitPack& l, LaneReader of, Wide lu, Wide lv) {
-  constexpr float kYieldsFrom = 0.2F, kYieldsUntil = 0.4F;  // of strain beyond the limit
-  constexpr float kLeastReach = 0.05F;
-  constexpr float kSlope = (1 - kLeastReach) / (kYieldsUntil - kYieldsFrom);
-  const Wide weft = of(l.limit[0]), warp = of(l.limit[1]);  // 0: none
-  const Wide over = larger(either(above(weft, 0), lu - kOne - weft, kNothing),
-                           either(above(warp, 0), lv - kOne - warp, kNothing));
-  const WideFlags yields = above(over, kYieldsFrom);
-  if (!any(yields)) return kOne;
-  return either(yields, larger(kOne - (over - kOne * kYieldsFrom) * kSlope, kOne * kLeastReach), kOne);
-}
-
 template <bool kTakesNote>
 TOILE_INLINE void solve(const MembranePack& t, const LimitPack* limits, PreloadPack& preload, LaneReader of,
                         LanePoint* x) {
@@ -148,9 +132,8 @@ TOILE_INLINE void solve(const MembranePack& t, const LimitPack* limits, PreloadP
   const Wide steep = larger(larger(b0 * b0 + b2 * b2, b1 * b1 + b3 * b3), s0 * s0 + s1 * s1);
   const Wide way =
       steep * larger(larger(dot(d1, d1) * w1 * w1, dot(d2, d2) * w2 * w2), dot(d0, d0) * w0 * w0);
-  const Wide most = limits == nullptr ? kOne : reach_of(*limits, of, lu, lv);
-  const WideFlags far = above(way, most * most);
-  const Wide scale = any(far) ? either(far, most / root(way), kOne) : kOne;
+  const WideFlags far = above(way, 1);
+  const Wide scale = any(far) ? either(far, kOne / root(way), kOne) : kOne;
   const auto kept = [&](const Wide3& d, Wide s) {
     return Wide3{either(sound, d.x * s, kNothing), either(sound, d.y * s, kNothing),
                  either(sound, d.z * s, kNothing)};

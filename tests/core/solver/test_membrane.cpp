@@ -144,34 +144,6 @@ TEST(MembraneLimit, ClothTornOutFarBeyondItComesBack) {
   }
 }
 
-/// A sheet that is held at both ends, drawn apart to `times` its length and crooked in between: RMS speed
-/// after a second.
-double speed_when_held_apart(double times) {
-  material::Fabric fabric;
-  fabric.limit_warp = fabric.limit_weft = 0.06;
-  fabric.limit_shear = 0.1;
-  test::Strip strip = test::make_strip({0, 120}, 60, 0.01, {0, 1}, fabric);
-  std::vector<Vec3> x;
-  std::vector<solver::constraints::HeldVertex> held;
-  for (const Vec2& p : strip.rest) {
-    x.push_back({p.x * (p.y > 0.03 ? 0.6 : 1), times * p.y, 4e-3 * std::sin(150 * p.x)});
-    if (p.y < 1e-4 || p.y > 0.06 - 1e-4) held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
-  }
-  solver::ClothSolver solver(strip.model, x, {}, 1.0 / 3000);
-  solver.set_holds(held);
-  solver::StepForces forces;
-  forces.damping = 20;
-  for (int i = 0; i < 3000; ++i) solver.step(forces);
-  double sum = 0;
-  for (const Vec3& v : solver.velocities()) sum += dot(v, v);
-  return std::sqrt(sum / static_cast<double>(x.size()));
-}
-
-TEST(MembraneLimit, ClothThatIsHeldFarBeyondItHardlyShivers) {
-  for (const double times : {1.3, 1.6, 2.0, 2.6})
-    EXPECT_LT(speed_when_held_apart(times), 0.1) << times;  // without yielding 0.58
-}
-
 TEST(MembraneLimit, DoesNothingBelowItself) {
   material::Fabric fabric = heavy_knit();
   Hung without = hang(fabric, 0.05, 0.1, 0.01, 3000);
