@@ -18,13 +18,21 @@ constexpr auto kAnswerWithin = std::chrono::seconds(5);
 /// answers.
 constexpr auto kAnswerSlice = std::chrono::milliseconds(200);
 
+bool waits(store::JobState state) {
+  return state == store::JobState::kPaused || state == store::JobState::kQueued;
+}
+
 }  // namespace
 
+/// While it stands in the queue with a drape begun, hands are on it as when it is paused: between a pause and its
+/// worker, or where it made room for others.
 Status QueueingJobService::touch(const store::RequestContext& context, const std::string& id,
                                  LiveTouch touch) {
+  using store::JobState;
   const LiveJobPtr job = table_.find(context, id);
-  const store::JobState state = job ? table_.state(*job) : TRY(store_.job(context, id)).state;
-  if (state != store::JobState::kRunning && state != store::JobState::kPaused)
+  const JobState state = job ? table_.state(*job) : TRY(store_.job(context, id)).state;
+  const bool begun = state == JobState::kQueued && job && table_.progress(*job).step > 0;
+  if (state != JobState::kRunning && state != JobState::kPaused && !begun)
     return Error{"jobs.state",
                  "the cloth of a job that is " + std::string(store::name_of(state)) +
                      " cannot be touched; it must run or be paused",
@@ -33,9 +41,9 @@ Status QueueingJobService::touch(const store::RequestContext& context, const std
     return Error{"live.elsewhere", "another process works on this drape, and hands do not reach there", "",
                  ErrorKind::kConflict};
   TRY(job->hands->put(std::move(touch)));
-  if (state != store::JobState::kPaused) return {};
+  if (state == JobState::kRunning) return {};
   const Changing changing = table_.changing();  // nobody takes it up meanwhile
-  if (job->held || !job->run || job->state != store::JobState::kPaused) return {};
+  if (job->held || !job->run || !waits(job->state)) return {};
   table_.hear(*job, job->run->touch_where_it_stands(*job->hands));
   table_.announce(changing, *job);
   return {};

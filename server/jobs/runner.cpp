@@ -260,7 +260,8 @@ void JobRun::read_figures() {
   progress_.seam_gap_mm = mm_from_metres(session.seam_gap());
   progress_.cloth_body = run_->crossings().cloth_body;
   progress_.cloth_cloth = run_->crossings().cloth_cloth;
-  progress_.pulls = static_cast<int>(session.hands().pulls.size());
+  // What has ended is held by nobody, though a hand was on it to the last.
+  progress_.pulls = session.stop_reason() ? 0 : static_cast<int>(session.hands().pulls.size());
   progress_.pins.clear();
   for (const drape::Grip& pin : session.hands().pins) progress_.pins.push_back({pin.id, pin.goal});
 }

@@ -22,7 +22,7 @@ async function makeProject() {
   for (const piece of document.pieces) piece.placement = { rigid: {} };
   document.bodies = [{ id: 'anna', mannequin: { preset: 'eu36', triangles: 2000 } }];
   document.settings.particle_distance_mm = 25;
-  document.settings.time_step_s = 1 / 80000; // a drape that is not over before it is cancelled
+  Object.assign(document.settings, { time_step_s: 1 / 80000, settle_speed_mm_s: 0.001, max_time_s: 60 }); // a drape that is not over before it is cancelled
   document.settings.start = 'sewn'; // or it would be arranged for the drape, and nothing be amiss
   const files = { 'skirt.dxf': await service.upload('dxf', 'skirt.dxf', readFileSync(sample('skirt.dxf'))) };
   return service.post('/projects', { document: { ...document, attachments: [] }, files });

@@ -51,7 +51,7 @@ const sampleDocument = (more) => ({ ...JSON.parse(readFileSync(sample('project.j
 /** With small steps it moves long enough for pauses, breaks and looks, however fast the machine is. */
 function slowDocument() {
   const { settings } = sampleDocument();
-  return sampleDocument({ name: 'Slow', settings: { ...settings, time_step_s: 1 / 80000 } });
+  return sampleDocument({ name: 'Slow', settings: { ...settings, time_step_s: 1 / 80000, settle_speed_mm_s: 0.001, max_time_s: 60 } });
 }
 
 /** A project of such a document. */

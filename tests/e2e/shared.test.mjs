@@ -19,7 +19,7 @@ const sample = (name) => join(root, 'samples/skirt', name);
 async function liveJob() {
   const document = JSON.parse(readFileSync(sample('project.json')));
   document.name = 'A slow skirt';
-  document.settings.time_step_s = 1 / 80000;
+  Object.assign(document.settings, { time_step_s: 1 / 80000, settle_speed_mm_s: 0.001, max_time_s: 60 });
   const files = {
     'skirt.dxf': await service.upload('dxf', 'skirt.dxf', readFileSync(sample('skirt.dxf'))),
     'body.obj': await service.upload('body', 'body.obj', readFileSync(sample('body.obj'))),

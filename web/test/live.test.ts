@@ -59,6 +59,12 @@ describe('hands on cloth', () => {
     state.putJob(jobOf({ state: 'paused' }));
     state.progress.value = progressOf({ state: 'paused' });
     expect(state.touchable.value).toBe(true);
+    state.putJob(jobOf({ state: 'queued' }));
+    state.progress.value = progressOf({ state: 'queued', step: 50 });
+    expect(state.touchable.value, 'resumed, without a worker yet').toBe(true);
+    state.progress.value = progressOf({ state: 'queued', step: 0 });
+    expect(state.touchable.value, 'not begun').toBe(false);
+    state.progress.value = progressOf({ state: 'queued', step: 50 });
     state.stream.value = { state: 'lost', attempt: 1, retryMs: 250 };
     expect(state.touchable.value).toBe(false);
     state.stream.value = { state: 'open' };

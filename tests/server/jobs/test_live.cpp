@@ -140,6 +140,25 @@ TEST_F(LiveJobs, SayWhyTheyTakeNoHands) {
   EXPECT_EQ(refusal(id, pin()), "jobs.state");
 }
 
+TEST_F(LiveJobs, AreInHandAlsoWhileTheyWaitForAWorkerAgain) {
+  make(1);
+  ASSERT_TRUE(service->start());
+  const std::string id = begun(kEndless);
+  ASSERT_TRUE(service->touch(kOwner, id, pull(3, {0.2, 0.4, 0.1})));
+  ASSERT_TRUE(wait_for_pulls(id, 1));
+  ASSERT_TRUE(service->pause(kOwner, id));
+  ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kPaused));
+  const std::string other = begun(kEndless);
+  const auto resumed = service->resume(kOwner, id);
+  ASSERT_TRUE(resumed);
+  EXPECT_EQ(resumed->state, store::JobState::kQueued) << "the only worker has the other";
+  EXPECT_EQ(refusal(id, just(TouchKind::kLetGo, 3)), "taken");
+  ASSERT_TRUE(service->cancel(kOwner, other));
+  EXPECT_TRUE(wait_for_pulls(id, 0));
+  const std::string waiting = submit(cloth_over_block(200, kEndless));
+  EXPECT_EQ(refusal(waiting, pin()), "jobs.state") << "of what has not begun there is no cloth yet";
+}
+
 TEST_F(LiveJobs, AreLetGoOfByWhoHeldThemWhenTheServiceStops) {
   ASSERT_TRUE(service->start());
   const std::string id = begun(kWhile);

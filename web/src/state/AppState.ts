@@ -172,7 +172,9 @@ export class AppState {
   readonly touchable: ReadonlySignal<boolean> = computed(() => {
     const job = this.job.value;
     if (!job || this.atHome.value || this.beforeDrape.value || !this.covered.value) return false;
-    const drapes = job.state === 'running' || job.state === 'paused';
+    // Resumed, it waits for a worker with all that hangs and whoever holds it.
+    const begun = job.state === 'queued' && (job.progress?.step ?? 0) > 0;
+    const drapes = job.state === 'running' || job.state === 'paused' || begun;
     return drapes && job.progress?.phase !== 'stills' && this.stream.value.state === 'open';
   });
 
