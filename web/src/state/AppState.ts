@@ -14,7 +14,7 @@ import { finishOf, type Finish } from './fabrics';
 import { HandsState } from './hands';
 import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
-import { isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
+import { hasBegun, isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
 import { LiveCloth } from './LiveCloth';
 import type { Route } from './routes';
 import { SweepState } from './sweeps';
@@ -172,10 +172,7 @@ export class AppState {
   readonly touchable: ReadonlySignal<boolean> = computed(() => {
     const job = this.job.value;
     if (!job || this.atHome.value || this.beforeDrape.value || !this.covered.value) return false;
-    // Resumed, it waits for a worker with all that hangs and whoever holds it.
-    const begun = job.state === 'queued' && (job.progress?.step ?? 0) > 0;
-    const drapes = job.state === 'running' || job.state === 'paused' || begun;
-    return drapes && job.progress?.phase !== 'stills' && this.stream.value.state === 'open';
+    return hasBegun(job) && job.progress?.phase !== 'stills' && this.stream.value.state === 'open';
   });
 
   /** The project was edited since the shown drape, which is still under way, was begun. */

@@ -6,6 +6,10 @@ import { t } from '../texts/language';
 
 export const isActive = (state: JobState): boolean => state === 'queued' || state === 'running' || state === 'paused';
 
+/** Whether its cloth drapes or waits to: resumed, it stands in the queue with all that hangs and whoever holds it. */
+export const hasBegun = ({ state, progress }: Job): boolean =>
+  state === 'running' || state === 'paused' || (state === 'queued' && (progress?.step ?? 0) > 0);
+
 export const stateName = (state: JobState): string => t.drape.states[state];
 
 const phaseName = (phase: string): string => (t.drape.phases as Record<string, string>)[phase] ?? phase;
