@@ -6,6 +6,7 @@
 
 #include "core/base/check.h"
 #include "core/drape/ground.h"
+#include "core/drape/limbs.h"
 #include "core/drape/make_features.h"
 #include "core/drape/make_threads.h"
 #include "core/drape/seam_gaps.h"
@@ -46,6 +47,7 @@ constexpr double kOpenCalm = 0.2;
 /// comes back to its shape in this share of it: all at once it would snap, and throw its straps off.
 constexpr double kEaseTime = 0.4, kBackInShape = 0.8;  // s, 1
 constexpr int kShapeSteps = 8;                         // from one bit of the way back to the next
+constexpr int kGiveSteps = 64;                         // from one look at what gives way to the next
 constexpr double kWeldInterval = 0.25;                 // s between tries to weld what was left open
 
 }  // namespace
@@ -231,6 +233,15 @@ void DrapeSession::come_back_to_shape() {
   if (now + bit > 0) solver_->keep_preloads(now / std::min(1.0, now + bit));
 }
 
+/// What is sewn too small for the arm or leg that it was put around, or gathered there, would be pulled back by
+/// all its strain in each pass, and shiver for ever. Around the trunk cloth gives no way: what is stretched
+/// there may be all that carries a heavy skirt.
+void DrapeSession::give_way(const solver::StepForces& forces) {
+  const bool hangs = phase_ == Phase::kDrape && wearer_ && !motion_.has_begun();
+  if (!hangs || !forces.learns || forces.damping <= 0 || steps_ % kGiveSteps != 0) return;
+  solver_->give_way([&](Vec3 p) { return is_around_limb(wearer_->figure, p); });
+}
+
 void DrapeSession::step() {
   TOILE_CHECK(phase_ != Phase::kDone);
   come_back_to_shape();
@@ -238,6 +249,7 @@ void DrapeSession::step() {
   if (motion_.is_going()) move_bodies();
   const solver::StepForces forces = forces_now();
   const solver::StepReport report = solver_->step(forces);
+  give_way(forces);
   ++steps_;
   time_ += input_.settings.time_step;
   watch_.observe(solver_->positions(), forces.damping);

@@ -85,6 +85,7 @@ class DrapeSession : public Session {
   double sew_time() const;
   double share_out_of_shape() const;
   void come_back_to_shape();
+  void give_way(const solver::StepForces& forces);
   void build_solver(solver::ClothModel model, std::vector<Vec3> positions, std::vector<Vec3> velocities);
   solver::ClothModel model_of(std::span<const Index> vertex_of, Index vertex_count) const;
   std::vector<solver::constraints::Stitch> stitches_now() const;

@@ -116,6 +116,10 @@ void ClothSolver::keep_preloads(double share) {
   membrane_.set_preloads(std::move(kept));
 }
 
+void ClothSolver::give_way(const constraints::MayGive& may) {
+  if (pace_.ended()) membrane_.give_way(x_, may);
+}
+
 SolverState ClothSolver::state() const {
   SolverState now{x_, velocity_, {}, stopped_, stuck_, steps_near_, hits_, membrane_.preloads(), pace_};
   if (detected_) now.contacts = contacts_;

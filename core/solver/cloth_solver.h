@@ -76,6 +76,9 @@ class ClothSolver {
   void rest_here() { membrane_.rest_at(x_); }
   /// Keeps this share of all preloads.
   void keep_preloads(double share);
+  /// Once nothing more is learnt of the preloads, cloth far beyond its limit gives way where it may
+  /// (constraints::give_way).
+  void give_way(const constraints::MayGive& may);
 
   SolverState state() const;
   /// REQUIRES a state of a solver with the same model; holds, stitches and features are not part of it.

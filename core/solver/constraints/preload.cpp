@@ -26,6 +26,9 @@ constexpr double kMost = 0.5;
 
 /// Cloth that is strained by more is out of shape, and nothing can be learnt from it.
 constexpr double kOutOfShape = 0.3;
+/// Strain beyond the limit from which cloth gives way, and the share of what is beyond that is given at a
+/// look.
+constexpr double kBeyond = 0.02, kGiven = 0.25;
 
 /// What is around a vertex.
 struct Around {
@@ -66,6 +69,13 @@ Vec3 strain_at(const MembraneTriangle& t, std::span<const Vec3> x) {
   const Vec3 e1 = x[t.v[1]] - x[t.v[0]], e2 = x[t.v[2]] - x[t.v[0]];
   const Vec3 fu = e1 * t.b[0] + e2 * t.b[1], fv = e1 * t.b[2] + e2 * t.b[3];
   return {length(fu) - 1, length(fv) - 1, dot(fu, fv)};
+}
+
+/// What a strain beyond where cloth with such a limit (0: none) gives way has to give, by what of it the pass
+/// feels through its preload.
+double to_give(double strain, double felt, double limit) {
+  const double from = limit + kBeyond;
+  return limit > 0 && strain > from ? over(felt, from) : 0;
 }
 
 Vec3 held_within(Vec3 p, double most) {
@@ -119,6 +129,21 @@ void learn_preloads(std::span<const MembraneTriangle> triangles, std::span<const
     const Vec3 change = tautness > 0 ? off[i] * share + (off[i] - mean) * apart : preloads[i] * -forgotten;
     preloads[i] = held_within(preloads[i] + change, kMost);
   }
+}
+
+bool give_way(std::span<const MembraneTriangle> triangles, std::span<const Vec3> x, const MayGive& may,
+              std::vector<Vec3>& preloads) {
+  bool some = false;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const MembraneTriangle& t = triangles[i];
+    const Vec3 strain = strain_at(t, x), felt = strain + preloads[i];
+    const Vec3 beyond{to_give(strain.x, felt.x, t.limit[0]), to_give(strain.y, felt.y, t.limit[1]),
+                      std::copysign(to_give(std::abs(strain.z), std::abs(felt.z), t.limit[2]), felt.z)};
+    if (beyond == Vec3{} || !may((x[t.v[0]] + x[t.v[1]] + x[t.v[2]]) * (1.0 / 3))) continue;
+    preloads[i] += beyond * -kGiven;
+    some = true;
+  }
+  return some;
 }
 
 std::vector<Vec3> preloads_at_rest(std::span<const MembraneTriangle> triangles, std::span<const Vec3> x) {

@@ -12,6 +12,7 @@
 // that are about to buckle bear hardly any, so cloth learns only where it is taut: where the tension around
 // exceeds the buckling load of its triangles. True motion, which has no damping, learns nothing.
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,15 @@ struct LearningPace {
 /// substeps of `h` seconds. Slack triangles forget instead, `at_last` all that they know.
 void learn_preloads(std::span<const MembraneTriangle> triangles, std::span<const Vec3> noted, double h,
                     double share, bool at_last, std::span<const Vec3> x, std::vector<Vec3>& preloads);
+
+/// Whether cloth may give way whose triangle has its middle here (m).
+using MayGive = std::function<bool(Vec3)>;
+
+/// Cloth far beyond its limit at x (m) that all which was learnt has not brought back is forced around more
+/// than it reaches. Where it may, its preload takes the strain beyond, bit by bit, as cloth does that gives
+/// for good. True if some did.
+bool give_way(std::span<const MembraneTriangle> triangles, std::span<const Vec3> x, const MayGive& may,
+              std::vector<Vec3>& preloads);
 
 /// Preloads with which a membrane has no stress at x (m), in whatever shape it is there.
 std::vector<Vec3> preloads_at_rest(std::span<const MembraneTriangle> triangles, std::span<const Vec3> x);

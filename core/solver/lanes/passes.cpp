@@ -73,6 +73,10 @@ void MembranePass::learn(std::span<const Vec3> x, double share, bool at_last) {
   lay_out_preloads();
 }
 
+void MembranePass::give_way(std::span<const Vec3> x, const constraints::MayGive& may) {
+  if (constraints::give_way(triangles_, x, may, preloads_)) lay_out_preloads();
+}
+
 void MembranePass::solve(std::span<LanePoint> x, bool takes_note, const LaneKernels& kernels) {
   const LimitPack* limits = limits_.empty() ? nullptr : limits_.data();
   kernels.solve_membrane(packs_.data(), limits, preload_packs_.data(), packs_.size(), takes_note, x.data());

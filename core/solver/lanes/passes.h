@@ -30,6 +30,8 @@ class MembranePass {
   /// Learns from the pass that took note last: `x` (m) is where its step ended, `share` and `at_last` as for
   /// learn_preloads.
   void learn(std::span<const Vec3> x, double share, bool at_last = false);
+  /// See constraints::give_way.
+  void give_way(std::span<const Vec3> x, const constraints::MayGive& may);
 
   /// One Vec3 a triangle.
   const std::vector<Vec3>& preloads() const { return preloads_; }

@@ -144,6 +144,65 @@ TEST(MembraneLimit, ClothTornOutFarBeyondItComesBack) {
   }
 }
 
+/// A sheet with its two ends held apart at `times` its length for three seconds. Cloth may give way where x
+/// (m) is beyond `from`.
+struct HeldApart {
+  std::vector<Vec3> preloads, middles;  ///< of its triangles
+};
+
+HeldApart hold_apart(double times, double from) {
+  material::Fabric fabric;
+  fabric.limit_warp = fabric.limit_weft = 0.06;
+  fabric.limit_shear = 0.1;
+  const test::Strip strip = test::make_strip({0, 120}, 60, 0.01, {0, 1}, fabric);
+  std::vector<Vec3> x;
+  std::vector<solver::constraints::HeldVertex> held;
+  for (const Vec2& p : strip.rest) {
+    x.push_back({p.x, times * p.y, 0});
+    if (p.y < 1e-4 || p.y > 0.06 - 1e-4) held.push_back({static_cast<Index>(x.size()) - 1, false, x.back()});
+  }
+  solver::ClothSolver solver(strip.model, x, {}, 1.0 / 3000);
+  solver.set_holds(held);
+  solver::StepForces forces;
+  forces.damping = 20;
+  for (int i = 0; i < 9000; ++i) {
+    solver.step(forces);
+    if (i % 64 == 0) solver.give_way([&](Vec3 p) { return p.x > from; });
+  }
+  HeldApart apart{solver.preloads(), {}};
+  for (const Tri& t : strip.model.triangles) {
+    Vec3 sum;
+    for (const Index v : t) sum += solver.positions()[v];
+    apart.middles.push_back(sum * (1.0 / 3));
+  }
+  return apart;
+}
+
+TEST(MembraneLimit, ClothThatIsHeldFarBeyondItGivesWayToALittleBeyond) {
+  for (const double times : {1.3, 1.8}) {
+    double sum = 0;
+    const HeldApart apart = hold_apart(times, -1);
+    for (const Vec3& p : apart.preloads) sum += p.y;
+    const double longer = -sum / static_cast<double>(apart.preloads.size());
+    EXPECT_GT(longer, times - 1 - 0.09) << times;
+    EXPECT_LT(longer, times - 1) << times;
+  }
+}
+
+TEST(MembraneLimit, ClothGivesWayWhereItMayOnlyAndNotBelow) {
+  const HeldApart apart = hold_apart(1.8, 0.06), little = hold_apart(1.02, -1), none = hold_apart(1.02, 1);
+  int gave = 0;
+  for (std::size_t i = 0; i < apart.middles.size(); ++i) {
+    const double given = -apart.preloads[i].y;
+    if (apart.middles[i].x > 0.07) gave += given > 0.6;
+    if (apart.middles[i].x < 0.05) {
+      EXPECT_LT(given, 0.6) << i << ": what is learnt is less";
+    }
+  }
+  EXPECT_GT(gave, 30);
+  EXPECT_TRUE(little.preloads == none.preloads);
+}
+
 TEST(MembraneLimit, DoesNothingBelowItself) {
   material::Fabric fabric = heavy_knit();
   Hung without = hang(fabric, 0.05, 0.1, 0.01, 3000);
