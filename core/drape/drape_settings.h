@@ -23,7 +23,7 @@ struct DrapeSettings {
   double gravity = 9.81;             ///< m/s², downwards
   double sew_time = 1.0;             ///< s, in which the seams close, without gravity
   double settle_speed = 0.005;       ///< m/s, RMS speed under which the cloth counts as at rest
-  double max_time = 8.0;             ///< s of simulated time after which an unsettled drape ends
+  double max_time = 15.0;            ///< s of simulated time after which an unsettled drape ends
   int frame_interval = 50;           ///< substeps between frames that viewers see, at most
   DrapeMode mode = DrapeMode::kDrape;
   /// Begins with the garment on the body, where that can be certified (core/dressing); otherwise pieces are

@@ -283,7 +283,7 @@ void describe(Visitor& v, project::ProjectSettings& settings) {
           "mm/s; root mean square speed under which the cloth counts as at rest. Default 5.", Need::kOptional,
           Range{0.001, 1e5});
   v.field("max_time_s", settings.max_time_s,
-          "s of simulated time after which a drape that has not settled ends. Default 8.", Need::kOptional,
+          "s of simulated time after which a drape that has not settled ends. Default 15.", Need::kOptional,
           Range{0, 3600});
   v.field("frame_interval_steps", settings.frame_interval_steps,
           "Substeps between frames that viewers see, at most. Default 50.", Need::kOptional, Range{1, 1e6});

@@ -314,7 +314,7 @@ struct ProjectSettings {
   double gravity = 9.81;  ///< m/s²
   double sew_time_s = 1;
   double settle_speed_mm_s = 5;
-  double max_time_s = 8;
+  double max_time_s = 15;
   int frame_interval_steps = 50;
   std::string start = "auto";  ///< or "sewn"
   bool ground = true;
