@@ -233,9 +233,9 @@ void DrapeSession::come_back_to_shape() {
   if (now + bit > 0) solver_->keep_preloads(now / std::min(1.0, now + bit));
 }
 
-/// What is sewn too small for the arm or leg that it was put around, or gathered there, would be pulled back by
-/// all its strain in each pass, and shiver for ever. Around the trunk cloth gives no way: what is stretched
-/// there may be all that carries a heavy skirt.
+/// What is sewn too small for the arm or leg that it was put around, or gathered there, would be pulled back
+/// by all its strain in each pass, and shiver for ever. Around the trunk cloth gives no way: what is
+/// stretched there may be all that carries a heavy skirt.
 void DrapeSession::give_way(const solver::StepForces& forces) {
   const bool hangs = phase_ == Phase::kDrape && wearer_ && !motion_.has_begun();
   if (!hangs || !forces.learns || forces.damping <= 0 || steps_ % kGiveSteps != 0) return;

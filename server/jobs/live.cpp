@@ -24,8 +24,8 @@ bool waits(store::JobState state) {
 
 }  // namespace
 
-/// While it stands in the queue with a drape begun, hands are on it as when it is paused: between a pause and its
-/// worker, or where it made room for others.
+/// While it stands in the queue with a drape begun, hands are on it as when it is paused: between a pause and
+/// its worker, or where it made room for others.
 Status QueueingJobService::touch(const store::RequestContext& context, const std::string& id,
                                  LiveTouch touch) {
   using store::JobState;
