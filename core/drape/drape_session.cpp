@@ -6,10 +6,10 @@
 
 #include "core/base/check.h"
 #include "core/drape/ground.h"
-#include "core/drape/limbs.h"
 #include "core/drape/make_features.h"
 #include "core/drape/make_threads.h"
 #include "core/drape/seam_gaps.h"
+#include "core/dressing/limbs.h"
 #include "core/dressing/shoulders.h"
 #include "core/solver/constraints/viscosity.h"
 #include "core/warm/warm_start.h"
@@ -239,7 +239,7 @@ void DrapeSession::come_back_to_shape() {
 void DrapeSession::give_way(const solver::StepForces& forces) {
   const bool hangs = phase_ == Phase::kDrape && wearer_ && !motion_.has_begun();
   if (!hangs || !forces.learns || forces.damping <= 0 || steps_ % kGiveSteps != 0) return;
-  solver_->give_way([&](Vec3 p) { return is_around_limb(wearer_->figure, p); });
+  solver_->give_way([&](Vec3 p) { return dressing::is_around_limb(wearer_->figure, p); });
 }
 
 void DrapeSession::step() {

@@ -1,8 +1,8 @@
-#include "core/drape/limbs.h"
+#include "core/dressing/limbs.h"
 
 #include <algorithm>
 
-namespace toile::drape {
+namespace toile::dressing {
 
 namespace {
 
@@ -28,4 +28,4 @@ bool is_around_limb(const measure::BodyFigure& figure, Vec3 p) {
                      [&](const measure::ArmLine& arm) { return is_around_arm(arm, p); });
 }
 
-}  // namespace toile::drape
+}  // namespace toile::dressing

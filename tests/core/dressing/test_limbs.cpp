@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/drape/limbs.h"
+#include "core/dressing/limbs.h"
 
 namespace toile {
 namespace {
@@ -25,19 +25,19 @@ measure::BodyFigure figure() {
 
 TEST(Limbs, AreWhatHangsBelowTheCrotchOrAlongAnArm) {
   const measure::BodyFigure person = figure();
-  EXPECT_TRUE(drape::is_around_limb(person, {0.1, 0.5, 0.05})) << "a knee";
-  EXPECT_TRUE(drape::is_around_limb(person, {0.44, 1.0, 0.05})) << "a left cuff";
-  EXPECT_TRUE(drape::is_around_limb(person, {-0.3, 1.25, -0.06})) << "a right sleeve";
-  EXPECT_TRUE(drape::is_around_limb(person, {0.5, 0.9, 0})) << "a hand";
+  EXPECT_TRUE(dressing::is_around_limb(person, {0.1, 0.5, 0.05})) << "a knee";
+  EXPECT_TRUE(dressing::is_around_limb(person, {0.44, 1.0, 0.05})) << "a left cuff";
+  EXPECT_TRUE(dressing::is_around_limb(person, {-0.3, 1.25, -0.06})) << "a right sleeve";
+  EXPECT_TRUE(dressing::is_around_limb(person, {0.5, 0.9, 0})) << "a hand";
 }
 
 TEST(Limbs, AreNotTheTrunkTheNeckOrWhatHangsAroundAll) {
   const measure::BodyFigure person = figure();
-  EXPECT_FALSE(drape::is_around_limb(person, {0.13, 1.0, 0.1})) << "a waist";
-  EXPECT_FALSE(drape::is_around_limb(person, {0.18, 0.9, 0})) << "a hip";
-  EXPECT_FALSE(drape::is_around_limb(person, {0, 1.5, 0.05})) << "a neck";
-  EXPECT_FALSE(drape::is_around_limb(person, {0.17, 1.42, 0})) << "a shoulder's end";
-  EXPECT_FALSE(drape::is_around_limb(person, {0.7, 1.2, 0})) << "wide of the arm";
+  EXPECT_FALSE(dressing::is_around_limb(person, {0.13, 1.0, 0.1})) << "a waist";
+  EXPECT_FALSE(dressing::is_around_limb(person, {0.18, 0.9, 0})) << "a hip";
+  EXPECT_FALSE(dressing::is_around_limb(person, {0, 1.5, 0.05})) << "a neck";
+  EXPECT_FALSE(dressing::is_around_limb(person, {0.17, 1.42, 0})) << "a shoulder's end";
+  EXPECT_FALSE(dressing::is_around_limb(person, {0.7, 1.2, 0})) << "wide of the arm";
 }
 
 }  // namespace
