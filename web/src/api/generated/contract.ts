@@ -3235,7 +3235,7 @@ export interface components {
             sew_time_s?: number;
             /** @description mm/s; root mean square speed under which the cloth counts as at rest. Default 5. */
             settle_speed_mm_s?: number;
-            /** @description s of simulated time after which a drape that has not settled ends. Default 8. */
+            /** @description s of simulated time after which a drape that has not settled ends. Default 15. */
             max_time_s?: number;
             /** @description Substeps between frames that viewers see, at most. Default 50. */
             frame_interval_steps?: number;
