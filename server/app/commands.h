@@ -119,8 +119,9 @@ struct SubmitOptions {
   std::string project;  ///< path of the document
   std::string job;      ///< id of one that was submitted before, in place of a project
   RemoteOptions remote;
-  bool watch = false;  ///< follow the drape to its end
-  std::string out;     ///< folder for the results; empty: they stay on the server
+  bool watch = false;      ///< follow the drape to its end
+  std::string out;         ///< folder for the results; empty: they stay on the server
+  bool no_stills = false;  ///< no pictures are drawn
   bool json = false;
 };
 

@@ -142,9 +142,11 @@ Result<std::string> Remote::create_project(const std::string& document,
   return id_of(once(post("/api/v1/projects", body, "application/json")));
 }
 
-Result<json::JsonValue> Remote::submit(const std::string& project_id, store::JobPriority priority) {
-  const std::vector<json::JsonMember> wish{{"project_id", project_id},
-                                           {"priority", std::string(store::name_of(priority))}};
+Result<json::JsonValue> Remote::submit(const std::string& project_id, store::JobPriority priority,
+                                       bool pictures) {
+  std::vector<json::JsonMember> wish{{"project_id", project_id},
+                                     {"priority", std::string(store::name_of(priority))}};
+  if (!pictures) wish.push_back({"pictures", false});
   return json(once(post("/api/v1/jobs", json::write_json_line(wish), "application/json")));
 }
 

@@ -35,7 +35,7 @@ class Remote {
   /// The project's id. `files`: name in the document → asset id.
   Result<std::string> create_project(const std::string& document,
                                      const std::vector<std::pair<std::string, std::string>>& files);
-  Result<json::JsonValue> submit(const std::string& project_id, store::JobPriority priority);
+  Result<json::JsonValue> submit(const std::string& project_id, store::JobPriority priority, bool pictures);
   /// `body` is that of POST /api/v1/sweeps.
   Result<json::JsonValue> submit_sweep(const json::JsonValue& body);
   /// What is at an address beneath /api/v1/, "jobs/j_…".

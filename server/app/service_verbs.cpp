@@ -85,7 +85,8 @@ CLI::App* add_serve(CLI::App& app, ServeOptions& serve) {
   add_serve_limits(*verb, serve);
   verb->footer(
       std::string("Prints its address once it answers. SIGTERM and Ctrl-C end it in good order: running\n"
-                  "drapes go back to the queue, and the next start goes on where they stood.\n\n"
+                  "drapes go back to the queue, and the next start goes on where they stood. A certificate\n"
+                  "that is renewed is taken up by itself, and at once at SIGHUP.\n\n"
                   "Examples:\n"
                   "  toile serve\n"
                   "  toile serve --port 0 --data /tmp/toile --workers 1\n\n") +
@@ -117,6 +118,7 @@ CLI::App* add_submit(CLI::App& app, SubmitOptions& submit) {
       verb->add_flag("--watch", submit.watch, "Follow the drape to its end; Ctrl-C cancels it");
   verb->add_option("-o,--out", submit.out, "Folder for the results, as toile drape leaves them")
       ->needs(watch);
+  verb->add_flag("--no-stills", submit.no_stills, "Draw no pictures");
   add_remote(*verb, submit.remote);
   verb->callback([project, job] {
     if (!project->count() && !job->count()) throw CLI::RequiredError("project");

@@ -91,8 +91,8 @@ ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& optio
 Result<json::JsonValue> asked_for(Remote& remote, const SubmitOptions& options) {
   if (!options.job.empty()) return remote.show("jobs/" + percent_encoded(options.job));
   const std::string project = TRY(send_project(remote, options.project));
-  return remote.submit(project,
-                       options.watch ? store::JobPriority::kInteractive : store::JobPriority::kBatch);
+  return remote.submit(project, options.watch ? store::JobPriority::kInteractive : store::JobPriority::kBatch,
+                       !options.no_stills);
 }
 
 }  // namespace

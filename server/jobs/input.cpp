@@ -115,6 +115,7 @@ Result<manifest::Manifest> inputs_of(documents::Documents& documents, const stor
 std::string input_of(const store::JobRow& job, const std::string& engine, int width, int height) {
   if (engine.empty()) return "";
   std::string all = std::to_string(width) + ' ' + std::to_string(height) + '\n';
+  if (!job.pictures) all = "no pictures\n";
   for (const auto& [name, id] : job.files) all.append(id).append(" ").append(name).append("\n");
   all += job.document;
   return engine + "-" + hash_of(std::string_view(all));

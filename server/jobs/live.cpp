@@ -92,6 +92,7 @@ Result<store::Made<store::JobRow>> QueueingJobService::go_on(const store::Reques
   const std::string shape = TRY(shape_now(job));
   store::JobRow row = TRY(row_of_drape_on(documents_, context, old.project_id, settings_.limits, shape));
   row.priority = old.priority;
+  row.pictures = old.pictures;
   row.tags = TRY(store::tags_of_job(store_, context, id));
   const store::Made<store::JobRow> made = TRY(queue(context, std::move(row), idempotency_key, true));
   const Result<store::JobRow> ended = on_request(context, id, JobEvent::kCancel, superseded(made.id));

@@ -138,6 +138,7 @@ Status JobRun::begin(const RunControl& control) {
   if (!whole_) {
     const store::JobRow row = TRY(place_.documents->store().job(context_, job_id_));
     worked_s_ = static_cast<double>(row.worked_ms) / 1000;
+    pictures_ = row.pictures;
     drape::DrapeInput input = TRY(drape_input_of(*place_.documents, context_, row.document, row.files));
     whole_ = std::make_shared<const drape::DrapeInput>(std::move(input));
   }
@@ -340,6 +341,7 @@ Status JobRun::add_stills(const RunControl& control, RunEnd& end) {
 Result<RunEnd> JobRun::deliver(const RunControl& control) {
   if (!end_) {
     RunEnd end = TRY(deliver_models());
+    if (!pictures_) return end;
     TRY(control.on_draped(end));
     end_ = std::move(end);
   }

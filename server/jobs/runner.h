@@ -107,6 +107,7 @@ class JobRun {
   store::RequestContext context_;
   std::string job_id_;
   std::uint32_t epoch_;
+  bool pictures_ = true;  ///< are wanted
 
   std::shared_ptr<const drape::DrapeInput> whole_;  ///< what was asked for; the run refers to it
   std::shared_ptr<const drape::DrapeInput> input_;  ///< what is draped of it; pictures may outlive the run

@@ -83,6 +83,7 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
   TRY(check_queue(1));
   store::JobRow row = TRY(row_of_drape(documents_, context, project_id, settings_.limits, wish.from));
   row.priority = wish.priority;
+  row.pictures = wish.pictures;
   row.tags = wish.tags;
   return queue(context, std::move(row), idempotency_key, wish.anew);
 }
@@ -104,6 +105,7 @@ Result<store::Made<store::JobRow>> QueueingJobService::retry(const store::Reques
   row.document = before.document;
   row.files = before.files;
   row.priority = before.priority;
+  row.pictures = before.pictures;
   row.cell = before.cell;
   row.tags = TRY(store::tags_of_job(store_, context, id));
   return queue(context, std::move(row), idempotency_key, true);

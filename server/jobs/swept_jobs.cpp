@@ -157,6 +157,7 @@ Result<store::SweptJobs> swept_jobs(documents::Documents& documents, const store
       store::JobRow job = TRY(cell_of(documents, context, row, wish.fabrics[f], limits, fabric_at, body_at));
       job.name = swept.sweep.name + " · " + row.label + " · " + swept.sweep.fabrics[f];
       job.priority = wish.manner.priority;
+      job.pictures = wish.manner.pictures;
       job.tags = wish.manner.tags;
       job.cell = {"", static_cast<int>(b), static_cast<int>(f)};
       swept.jobs.push_back(std::move(job));

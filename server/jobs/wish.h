@@ -10,6 +10,7 @@ namespace toile::jobs {
 struct JobWish {
   store::JobPriority priority =
       store::JobPriority::kBatch;  ///< of who does not say: whoever looks on says so
+  bool pictures = true;            ///< are drawn of its end, which takes longer than a small drape
   bool anew = false;    ///< draped although the results of an equal one would do: somebody wants to look on
   store::Tags tags;     ///< that it gets as it is made
   std::string from;     ///< id of a job from whose end to go on (core/warm); empty: from the pieces

@@ -105,6 +105,7 @@ struct JobRow {
   std::string document;
   std::map<std::string, std::string> files;
   JobPriority priority = JobPriority::kBatch;
+  bool pictures = true;  ///< are drawn of its end
   SweepCell cell;
   Tags tags;          ///< to be put on it where it is made; who wants to know them asks JobSearch
   std::string input;  ///< what its results follow from, as a hash; empty: not known

@@ -34,6 +34,7 @@ std::vector<json::JsonMember> job_members(const store::JobRow& job) {
           {"project_revision", number(job.project_revision)},
           {"name", job.name},
           {"priority", std::string(store::name_of(job.priority))},
+          {"pictures", job.pictures},
           {"state", word_of(job.state)},
           {"reason_code", job.reason_code},
           {"reason", job.reason},

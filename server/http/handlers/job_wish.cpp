@@ -11,6 +11,10 @@ Result<jobs::JobWish> read_job_wish(const json::JsonValue& given) {
     if (!priority) return Error{"request.priority", priority.error().message, "/priority"};
     wish.priority = *priority;
   }
+  if (const json::JsonValue* pictures = given.find("pictures")) {
+    if (!pictures->boolean()) return Error{"request.pictures", "\"pictures\" is true or false", "/pictures"};
+    wish.pictures = *pictures->boolean();
+  }
   if (const json::JsonValue* anew = given.find("anew")) {
     if (!anew->boolean()) return Error{"request.anew", "\"anew\" is true or false", "/anew"};
     wish.anew = *anew->boolean();

@@ -38,8 +38,9 @@ http::HttpResponse job_answer(const Api& api, const store::RequestContext& conte
 
 http::HttpResponse submit(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
-  const Result<json::JsonValue> given = read_object(
-      request, {"project_id", "priority", "anew", "from", "tags"}, {.bytes = http::kSmallBody, .depth = 32});
+  const Result<json::JsonValue> given =
+      read_object(request, {"project_id", "priority", "pictures", "anew", "from", "tags"},
+                  {.bytes = http::kSmallBody, .depth = 32});
   if (!given) return http::problem(given.error());
   const json::JsonValue* id = given->find("project_id");
   if (!id || !id->text()) {

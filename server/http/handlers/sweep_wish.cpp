@@ -109,9 +109,9 @@ Result<std::vector<Element>> read_list(const JsonValue& given, const char* key, 
 }  // namespace
 
 Result<jobs::SweepWish> read_sweep_wish(const http::HttpRequest& request) {
-  const JsonValue given = TRY(
-      read_object(request, {"project_id", "name", "body", "bodies", "fabrics", "priority", "anew", "tags"},
-                  {.bytes = http::kSmallBody, .depth = 8}));
+  const JsonValue given = TRY(read_object(
+      request, {"project_id", "name", "body", "bodies", "fabrics", "priority", "pictures", "anew", "tags"},
+      {.bytes = http::kSmallBody, .depth = 8}));
   jobs::SweepWish wish;
   wish.project_id = TRY(text_at(given, "project_id", "request.project_id", "the id of a project", ""));
   if (wish.project_id.empty())

@@ -49,9 +49,8 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
   TRY(database_.run(
       "INSERT INTO jobs (owner, id, project_id, project_revision, name, document, files, state, reason_code,"
       " reason, reason_where, attempt, created_ms, started_ms, ended_ms, report, results, idempotency_key,"
-      " document_bytes, priority, input, sweep, sweep_body, sweep_fabric) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, "
-      "?,"
-      " ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      " document_bytes, priority, input, sweep, sweep_body, sweep_fabric, pictures) VALUES"
+      " (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
       {owner,
        row.id,
        row.project_id,
@@ -75,7 +74,8 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
        row.input,
        row.cell.sweep,
        std::int64_t{row.cell.body},
-       std::int64_t{row.cell.fabric}}));
+       std::int64_t{row.cell.fabric},
+       std::int64_t{row.pictures}}));
   return insert_tags(owner, row.id, row.tags);
 }
 

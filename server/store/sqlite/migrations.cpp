@@ -251,6 +251,7 @@ CREATE TRIGGER tags_go_with_their_job AFTER DELETE ON jobs BEGIN
 END;
 )sql"},
     {14, "drapes that were asked for together", kSweepSchema},
+    {15, "drapes without pictures", "ALTER TABLE jobs ADD COLUMN pictures INTEGER NOT NULL DEFAULT 1;"},
 };
 
 constexpr const char* kRemembered = R"sql(

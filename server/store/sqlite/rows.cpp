@@ -152,6 +152,7 @@ Result<store::JobRow> job_from(const SqlStatement& row) {
   job.lease = {row.text(22), row.integer(23), row.integer(24)};
   job.progress = row.text(25);
   job.cell = {row.text(26), static_cast<int>(row.integer(27)), static_cast<int>(row.integer(28))};
+  job.pictures = row.integer(29) != 0;
   return job;
 }
 

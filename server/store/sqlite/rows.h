@@ -23,16 +23,16 @@ inline constexpr const char* kProjectColumns = "id, name, revision, created_ms, 
 inline constexpr const char* kJobColumns =
     "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
     "started_ms, ended_ms, results, files, report, document, notes, verdict, worked_ms, priority, input, "
-    "suspect, holder, lease, lease_until_ms, progress, sweep, sweep_body, sweep_fabric";
+    "suspect, holder, lease, lease_until_ms, progress, sweep, sweep_body, sweep_fabric, pictures";
 /// The same without the document.
 inline constexpr const char* kJobListColumns =
     "id, project_id, project_revision, name, state, reason_code, reason, reason_where, attempt, created_ms, "
     "started_ms, ended_ms, results, files, report, '', notes, verdict, worked_ms, priority, input, "
-    "suspect, holder, lease, lease_until_ms, progress, sweep, sweep_body, sweep_fabric";
+    "suspect, holder, lease, lease_until_ms, progress, sweep, sweep_body, sweep_fabric, pictures";
 inline constexpr const char* kSweepColumns =
     "id, project_id, project_revision, name, created_ms, bodies, fabrics";
 /// How many columns a job has: where one more may stand.
-inline constexpr int kJobColumnCount = 29;
+inline constexpr int kJobColumnCount = 30;
 
 /// Error of each: store.corrupt.
 Result<store::AssetRow> asset_from(const SqlStatement& row);

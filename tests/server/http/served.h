@@ -41,6 +41,7 @@ class ScriptedJobs final : public jobs::JobService {
     row.document = project.document;
     row.files = project.files;
     row.priority = wish.priority;
+    row.pictures = wish.pictures;
     row.tags = wish.tags;
     return store_.create_job(context, row, key);
   }

@@ -289,6 +289,18 @@ TEST_F(Routes, SubmitAJobAsUrgentAsItIs) {
   EXPECT_PROBLEM(submit(", \"priority\": 3"), 422, "request.priority");
 }
 
+TEST_F(Routes, SubmitAJobWithOrWithoutPictures) {
+  const std::string project = make_project();
+  const auto submit = [&](const std::string& more) {
+    return send_json("POST", "/api/v1/jobs", "{\"project_id\": \"" + project + "\"" + more + "}");
+  };
+  const Answer without = submit(", \"pictures\": false");
+  EXPECT_EQ(*tree(submit(""))->find("pictures")->boolean(), true);
+  EXPECT_EQ(*tree(without)->find("pictures")->boolean(), false);
+  EXPECT_EQ(*tree(get("/api/v1/jobs/" + member(without, "id")))->find("pictures")->boolean(), false);
+  EXPECT_PROBLEM(submit(", \"pictures\": \"no\""), 422, "request.pictures");
+}
+
 TEST_F(Routes, RefuseJobsOfNothing) {
   EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", R"({"project_id": "p_00000000000000000000"})"), 404,
                  "store.not_found");

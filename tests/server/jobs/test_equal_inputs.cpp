@@ -51,6 +51,27 @@ TEST_F(EqualInputs, AreAnsweredAtOnceWithTheSameResults) {
   EXPECT_EQ(service->progress(kOwner, second.id)->state, store::JobState::kSucceeded);
 }
 
+TEST_F(EqualInputs, OfADrapeWithoutPicturesAnswerForNoneWithThem) {
+  start("engine");
+  const std::string project = project_of(cloth_over_block(200, 0.2));
+  jobs::JobWish plain;
+  plain.pictures = false;
+  const std::string first = service->submit(kOwner, project, "", plain)->id;
+  ASSERT_TRUE(publisher.wait_for_end(first));
+  const store::JobRow without = row(first);
+  EXPECT_EQ(without.state, store::JobState::kSucceeded) << without.reason;
+  EXPECT_TRUE(without.notes.empty()) << "nothing is amiss: none were wanted";
+  EXPECT_FALSE(without.results.contains("front.png"));
+  EXPECT_TRUE(without.results.contains("report.json"));
+  EXPECT_TRUE(without.results.contains("drape.film")) << "pictures can be drawn of it later";
+  for (const auto& told : publisher.log(first).progress) EXPECT_NE(told.progress.phase, jobs::kStillsPhase);
+  EXPECT_EQ(service->submit(kOwner, project, "", plain)->state, store::JobState::kSucceeded);
+  const store::JobRow with = draped(project);
+  EXPECT_TRUE(with.results.contains("front.png"));
+  EXPECT_EQ(hash_in(with), hash_in(without));
+  EXPECT_FALSE(service->retry(kOwner, first, "")->pictures);
+}
+
 TEST_F(EqualInputs, AreThoseOfTheSameEngineDocumentAndFilesOnly) {
   start("engine");
   const std::string document = cloth_over_block(200, 0.2);

@@ -2453,6 +2453,8 @@ export interface components {
             project_revision: number;
             name: string;
             priority: components["schemas"]["JobPriority"];
+            /** @description Whether they are drawn of its end */
+            pictures?: boolean;
             state: components["schemas"]["JobState"];
             /** @description of a job that has ended: "settled", "time", "start.crosses_body" */
             reason_code: string;
@@ -5796,6 +5798,11 @@ export interface operations {
                      */
                     from?: string;
                     /**
+                     * @description false: no pictures are drawn of the end, which takes longer than a small drape
+                     * @default true
+                     */
+                    pictures?: boolean;
+                    /**
                      * @description drapes although the results of an equal drape would do
                      * @default false
                      */
@@ -6485,6 +6492,11 @@ export interface operations {
                     fabrics?: components["schemas"]["SweepFabric"][];
                     priority?: components["schemas"]["JobPriority"];
                     tags?: components["schemas"]["Tags"];
+                    /**
+                     * @description false: no pictures are drawn, and the contact sheet shows none
+                     * @default true
+                     */
+                    pictures?: boolean;
                     /**
                      * @description drapes although the results of equal drapes would do
                      * @default false

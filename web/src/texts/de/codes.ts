@@ -326,6 +326,7 @@ export const codes: Codes = {
   'render.too_far': 'Der Stoff liegt zu weit weg zum Zeichnen',
   'render.view': 'Diese Ansicht gibt es nicht',
   'request.after': 'Die Seite hat etwas gefragt, das der Dienst nicht versteht',
+  'request.pictures': 'Die Seite hat etwas gefragt, das der Dienst nicht versteht',
   'request.anew': 'Die Seite hat etwas gefragt, das der Dienst nicht versteht',
   'request.body': 'Die Angaben zum Körper sind nicht vollständig',
   'request.data': 'Die Angaben sind nicht vollständig',

@@ -324,6 +324,7 @@ export const codes = {
   'render.too_far': 'The cloth lies too far away to be drawn',
   'render.view': 'There is no such view',
   'request.after': 'The page asked for something that the service does not understand',
+  'request.pictures': 'The page asked for something that the service does not understand',
   'request.anew': 'The page asked for something that the service does not understand',
   'request.body': 'The wish for a body is not complete',
   'request.data': 'The wish is not complete',
