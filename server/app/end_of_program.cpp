@@ -10,11 +10,12 @@
 
 namespace toile::app {
 
-sigset_t hold_ending_signals() {
+sigset_t hold_ending_signals(bool hang_up) {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
+  if (hang_up) sigaddset(&signals, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
   return signals;
@@ -28,9 +29,9 @@ void end_anyway_in(std::chrono::seconds time, const Log& log) {
   }).detach();
 }
 
-void wait_for_the_end(const sigset_t& signals) {
+void wait_for_the_end(const sigset_t& signals, const OnHangUp& on_hang_up) {
   int signal = 0;
-  sigwait(&signals, &signal);
+  while (sigwait(&signals, &signal) == 0 && signal == SIGHUP) on_hang_up();
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }
 

@@ -15,7 +15,7 @@ namespace toile::app {
 ExitCode serve_command(const ServeOptions& given) {
   const ServeOptions options = completed(given);
   ::umask(0077);  // what users upload and drape is for nobody else on this machine
-  const sigset_t signals = hold_ending_signals();
+  const sigset_t signals = hold_ending_signals(!options.tls_certificate.empty());
   Result<std::unique_ptr<Service>> service = Service::start(options);
   if (!service) return fail(service.error(), false);
   const bool six = options.address.find(':') != std::string::npos;
@@ -27,7 +27,7 @@ ExitCode serve_command(const ServeOptions& given) {
     std::printf("Only who has an account is let in (toile account, toile token).\n");
   if (options.web.empty()) std::printf("The page has not been built; the service answers under /api/v1.\n");
   std::fflush(stdout);
-  wait_for_the_end(signals);
+  wait_for_the_end(signals, [&] { (*service)->read_certificate_again(); });
   (*service)->log().info("stopping; running drapes go back to the queue");
   end_anyway_in(std::chrono::seconds(25), (*service)->log());
   (*service)->stop();

@@ -29,6 +29,8 @@ class Service {
   /// Whether only who is known is let in.
   bool has_accounts() const { return doors_ != nullptr; }
   Log log() const { return Log(*job_log_); }
+  /// HttpServer::read_certificate_again.
+  void read_certificate_again() { server_->read_certificate_again(); }
   /// Takes no new work, lets running drapes go back to the queue, says good-bye to viewers. Twice is safe.
   void stop();
 

@@ -1,7 +1,6 @@
 #pragma once
 // What all connections of a server share. Internal to http.
 
-#include <boost/asio/ssl/context.hpp>
 #include <boost/asio/thread_pool.hpp>
 
 #include <algorithm>
@@ -19,6 +18,7 @@
 #include "server/http/metrics.h"
 #include "server/http/router.h"
 #include "server/http/server_settings.h"
+#include "server/http/tls_files.h"
 #include "server/ws/session.h"
 
 namespace toile::http {
@@ -64,9 +64,9 @@ struct ConnectionContext {
   const ws::StreamServices& streams;
   FeedSeats& seats;
   Site site;
-  std::string cookie;              ///< name of that of a session
-  boost::asio::ssl::context* tls;  ///< null: plain HTTP
-  accounts::Gate* gate;            ///< null: there are no accounts, and whoever comes is the single user
+  std::string cookie;    ///< name of that of a session
+  const TlsFiles* tls;   ///< null: plain HTTP
+  accounts::Gate* gate;  ///< null: there are no accounts, and whoever comes is the single user
 };
 
 }  // namespace toile::http

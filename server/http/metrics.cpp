@@ -98,6 +98,15 @@ void tell_readers(std::string& out, const ReaderFigures& readers) {
            static_cast<double>(readers.started - readers.crashed - readers.refused));
 }
 
+void tell_certificate(std::string& out, const CertificateFigures& certificate) {
+  if (certificate.expires_s == 0) return;  // no TLS
+  single(out, "toile_certificate_expires_seconds", "gauge", "Unix time until which the certificate is good.",
+         static_cast<double>(certificate.expires_s));
+  head(out, "toile_certificate_reads_total", "counter", "Renewed certificates, and what came of them.");
+  labelled(out, "toile_certificate_reads_total", "end", "taken", static_cast<double>(certificate.renewed));
+  labelled(out, "toile_certificate_reads_total", "end", "refused", static_cast<double>(certificate.refused));
+}
+
 }  // namespace
 
 void Metrics::count_request(const std::string& method, int status, const std::string& code, double seconds) {
@@ -114,6 +123,7 @@ std::string Metrics::text(const ServiceFigures& service) const {
   tell_jobs(out, service.jobs);
   tell_store(out, service.store);
   tell_readers(out, service.readers);
+  tell_certificate(out, certificate);
   single(out, "toile_viewers", "gauge", "Open streams.", static_cast<double>(service.viewers));
   single(out, "toile_connections", "gauge", "Open connections.", connections.load());
   single(out, "process_resident_memory_bytes", "gauge", "Resident memory.", resident_bytes());

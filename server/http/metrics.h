@@ -29,6 +29,13 @@ struct ServiceFigures {
   std::size_t viewers = 0;
 };
 
+/// Of the certificate that is shown under TLS.
+struct CertificateFigures {
+  std::atomic<std::int64_t> expires_s{0};  ///< Unix time until which it is good; 0: there is none
+  std::atomic<std::int64_t> renewed{0};    ///< how often another has taken its place since the start
+  std::atomic<std::int64_t> refused{0};    ///< how often another could not be used
+};
+
 /// Thread-safe.
 class Metrics {
  public:
@@ -36,6 +43,7 @@ class Metrics {
   void count_request(const std::string& method, int status, const std::string& code, double seconds);
 
   std::atomic<int> connections{0};  ///< open now
+  CertificateFigures certificate;
 
   std::string text(const ServiceFigures& service) const;
 

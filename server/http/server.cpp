@@ -2,6 +2,7 @@
 
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
 
 #include <atomic>
 #include <chrono>
@@ -12,7 +13,7 @@
 #include "server/http/connection_context.h"
 #include "server/http/listener.h"
 #include "server/http/static_files.h"
-#include "server/http/tls.h"
+#include "server/http/tls_files.h"
 
 namespace toile::http {
 
@@ -53,10 +54,11 @@ class HttpServer::Impl {
 
   Status start() {
     if (!settings_.tls_certificate.empty()) {
-      tls_ = TRY(server_tls(settings_.tls_certificate, settings_.tls_key));
+      tls_ = TRY(TlsFiles::open(settings_.tls_certificate, settings_.tls_key, metrics_.certificate));
       context_.tls = tls_.get();
     }
     TRY(listener_.open(settings_));
+    if (tls_) look_at_certificate();
     listener_.start();
     for (int i = 0; i < settings_.io_threads; ++i) {
       threads_.emplace_back([this] { io_.run(); });
@@ -65,6 +67,9 @@ class HttpServer::Impl {
   }
 
   void drain() { ready_ = false; }
+  void read_certificate_again() {
+    if (tls_) tls_->read_again(log_);
+  }
 
   void stop() {
     if (stopped_.exchange(true)) return;
@@ -89,6 +94,15 @@ class HttpServer::Impl {
   const std::atomic<bool>& ready() const { return ready_; }
 
  private:
+  /// Every now and then, until the threads that would do it end.
+  void look_at_certificate() {
+    certificate_timer_.expires_after(settings_.tls_look_every);
+    certificate_timer_.async_wait([this](const boost::system::error_code& failure) {
+      if (failure) return;
+      tls_->look(log_);
+      look_at_certificate();
+    });
+  }
   static Site site_of(const ServerSettings& settings) {
     return {settings.gate != nullptr, settings.secure()};
   }
@@ -113,11 +127,12 @@ class HttpServer::Impl {
   accounts::Gate* const gate_;
   const ws::StreamServices streams_;
   FeedSeats seats_;
-  TlsContext tls_;
+  std::unique_ptr<TlsFiles> tls_;
   ConnectionContext context_;  // as it is once connections are taken
   asio::io_context io_;
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   Listener listener_;
+  asio::steady_timer certificate_timer_{io_};
   std::vector<std::thread> threads_;
 };
 
@@ -129,6 +144,7 @@ HttpServer::~HttpServer() { stop(); }
 
 Status HttpServer::start() { return impl_->start(); }
 void HttpServer::drain() { impl_->drain(); }
+void HttpServer::read_certificate_again() { impl_->read_certificate_again(); }
 void HttpServer::stop() { impl_->stop(); }
 int HttpServer::port() const { return impl_->port(); }
 Router& HttpServer::router() { return impl_->router(); }

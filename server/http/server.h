@@ -33,6 +33,10 @@ class HttpServer {
   Status start();
   /// From now on /readyz says no, so that nobody sends new work. The rest is answered as before.
   void drain();
+  /// Takes up a certificate that has been renewed, for new connections; the one of before stays where the new
+  /// cannot be used, and the log says why. It also looks by itself (ServerSettings::tls_look_every). From any
+  /// thread, while it serves.
+  void read_certificate_again();
   /// Says good-bye to viewers, ends all connections, joins the threads. Twice is safe.
   void stop();
 

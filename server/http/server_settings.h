@@ -15,7 +15,8 @@ struct ServerSettings {
   /// To listen on. One that is not of the loopback wants accounts, and TLS or a proxy that speaks it.
   std::string address = "127.0.0.1";
   bool container = false;  ///< any address, for the machine around a container alone (host_of_container.h)
-  std::string tls_certificate, tls_key;  ///< PEM files; empty: plain HTTP
+  std::string tls_certificate, tls_key;              ///< PEM files; empty: plain HTTP
+  std::chrono::milliseconds tls_look_every{10'000};  ///< whether these have changed
   bool behind_proxy = false;  ///< which speaks TLS to others, passes Host on, and says X-Forwarded-For
   int port = 8460;            ///< 0: any that is free
   std::filesystem::path web;  ///< folder of the built page; need not be there

@@ -30,7 +30,7 @@ constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 }  // namespace
 
 HttpSession::HttpSession(asio::ip::tcp::socket socket, std::string address, const ConnectionContext& context)
-    : stream_(beast::tcp_stream(std::move(socket)), context.tls),
+    : stream_(beast::tcp_stream(std::move(socket)), context.tls ? context.tls->now().get() : nullptr),
       address_(std::move(address)),
       context_(context),
       reader_(stream_, context.settings),

@@ -28,10 +28,14 @@ void DropTls::operator()(ssl::context* context) const { delete context; }
 Result<TlsContext> server_tls(const std::string& certificate, const std::string& key) {
   TlsContext context = modern();
   boost::system::error_code failure;
+  // Nobody is asked for a pass phrase, least of all while it serves.
+  context->set_password_callback([](std::size_t, ssl::context::password_purpose) { return std::string(); },
+                                 failure);
   context->use_certificate_chain_file(certificate, failure);
   if (failure) return unusable("the certificate (a PEM file)", failure, certificate);
   context->use_private_key_file(key, ssl::context::pem, failure);
-  if (failure) return unusable("the private key (a PEM file, of this certificate)", failure, key);
+  if (failure)
+    return unusable("the private key (a PEM file without a pass phrase, of this certificate)", failure, key);
   return context;
 }
 

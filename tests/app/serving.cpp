@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <system_error>
@@ -24,6 +25,8 @@ void pause_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(10
 
 Serving::Serving(const std::filesystem::path& data, const std::vector<std::string>& more, int port) {
   static int number = 0;
+  const auto tls = std::find(more.begin(), more.end(), "--tls-certificate");
+  if (tls != more.end()) roots_ = *(tls + 1);
   log_ = data.parent_path() / ("serving" + std::to_string(++number) + ".log");
   std::string program = std::string(TOILE_BINARY_DIR) + "/toile";
   std::vector<std::string> words{"serve", "--port", std::to_string(port), "--data", data.string()};
@@ -39,9 +42,9 @@ Serving::Serving(const std::filesystem::path& data, const std::vector<std::strin
   posix_spawn_file_actions_destroy(&files);
   for (int i = 0; i < 3000 && port_ == 0; ++i) {
     const std::string text = said();
-    const std::size_t at = text.find("http://");
+    const std::size_t at = text.find("://127.0.0.1:");
     if (at != std::string::npos && text.find('\n', at) != std::string::npos) {
-      port_ = std::stoi(text.substr(text.find(':', at + 7) + 1));
+      port_ = std::stoi(text.substr(text.find(':', at + 3) + 1));
     } else if (pid_ < 0 || waitpid(pid_, nullptr, WNOHANG) != 0) {
       pid_ = -1;
       return;
@@ -86,7 +89,7 @@ std::vector<pid_t> Serving::readers() const {
 std::string Serving::said() const { return text_of(log_); }
 
 http::HttpReply Serving::ask(const http::HttpClient::Request& request) const {
-  Result<http::HttpClient> client = http::HttpClient::make(url());
+  Result<http::HttpClient> client = http::HttpClient::make(url(), roots_);
   if (!client) return {};
   Result<http::HttpReply> reply = client->ask(request, std::chrono::seconds(30));
   return reply ? *reply : http::HttpReply{};

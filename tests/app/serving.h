@@ -22,9 +22,14 @@ class Serving {
 
   bool up() const { return port_ > 0; }
   int port() const { return port_; }
+  pid_t pid() const { return pid_; }
   /// The server's processes that read meshes, now.
   std::vector<pid_t> readers() const;
-  std::string url() const { return "http://127.0.0.1:" + std::to_string(port_); }
+  std::string url() const {
+    return (roots_.empty() ? "http" : "https") + ("://127.0.0.1:" + std::to_string(port_));
+  }
+  /// Whoever asks from now on believes what this PEM file vouches for, at first the certificate in `more`.
+  void believe(const std::filesystem::path& roots) { roots_ = roots; }
   /// Sends a signal and waits at most `within_s`; the exit code, or minus the signal that ended it.
   int end(int signal, double within_s = 20);
   /// What it has said on stdout and stderr.
@@ -38,7 +43,7 @@ class Serving {
  private:
   pid_t pid_ = -1;
   int port_ = 0;
-  std::filesystem::path log_;
+  std::filesystem::path log_, roots_;  ///< roots_: empty without TLS
 };
 
 }  // namespace toile

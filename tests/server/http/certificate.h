@@ -5,6 +5,7 @@
 namespace toile::test {
 
 /// A certificate for localhost and 127.0.0.1, and its key, as PEM files: made anew, and vouching for itself.
+/// It is written to where an earlier one may lie, as renewing programs do.
 struct Certificate {
   std::filesystem::path certificate, key;
 };

@@ -10,8 +10,13 @@
 #include <boost/beast/websocket/stream.hpp>
 
 #include <chrono>
+#include <ctime>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "server/accounts/secrets.h"
 #include "server/http/client.h"
@@ -36,6 +41,7 @@ class Tls : public Served {
     serve(settings, false, true);
     store::AccountRow anna;
     anna.name = "anna";
+    anna.admin = true;  // who may look at metrics
     store::KeyRow key;
     key.owner = store->accounts()->add_account(anna)->id;
     key.scopes = store::Scopes::all();
@@ -160,6 +166,93 @@ TEST_F(Tls, AnOriginIsThatOfHttps) {
   EXPECT_EQ(asked("https://elsewhere.example"), 403);
 }
 
+/// A server that looks often whether its certificate has been renewed.
+class RenewedTls : public Tls {
+ protected:
+  void SetUp() override {
+    settings.tls_look_every = std::chrono::milliseconds(20);
+    Tls::SetUp();
+  }
+  /// A client that believes nothing but what lies there now.
+  http::HttpClient believer(const std::filesystem::path& roots) const {
+    return std::move(*http::HttpClient::make(url(), roots));
+  }
+  bool is_believed(const std::filesystem::path& roots) const {
+    http::HttpClient::Request request;
+    request.target = "/readyz";
+    return believer(roots).ask(request, std::chrono::seconds(30)).ok();
+  }
+  /// A figure of /metrics; -1 where it is not there.
+  double figure(const std::filesystem::path& roots, const std::string& name) const {
+    http::HttpClient client = believer(roots);
+    const std::string text = "\n" + ask_secretly(client, "GET", "/metrics").body;
+    const std::size_t at = text.find("\n" + name + " ");
+    return at == std::string::npos ? -1 : std::stod(text.substr(at + name.size() + 2));
+  }
+  double renewed(const std::filesystem::path& roots) const {
+    return figure(roots, "toile_certificate_reads_total{end=\"taken\"}");
+  }
+  double refused(const std::filesystem::path& roots) const {
+    return figure(roots, "toile_certificate_reads_total{end=\"refused\"}");
+  }
+  static bool becomes(const std::function<bool()>& holds) {
+    for (int i = 0; i < 3000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return holds();
+  }
+  static std::string text_of(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  /// A copy for clients, since the server's own is written over.
+  std::filesystem::path kept_copy(const std::filesystem::path& file, const std::string& name) const {
+    std::filesystem::copy_file(file, keys / name, std::filesystem::copy_options::overwrite_existing);
+    return keys / name;
+  }
+  Certificate other() const {
+    std::filesystem::create_directories(keys / "other");
+    return make_certificate(keys / "other");
+  }
+};
+
+TEST_F(RenewedTls, IsTakenUpByNewConnectionsWhileOldOnesGoOn) {
+  const std::filesystem::path before = kept_copy(made.certificate, "before.pem");
+  http::HttpClient old = believer(before);
+  ASSERT_EQ(ask_secretly(old, "GET", "/api/v1/jobs").status, 200);
+  EXPECT_EQ(renewed(before), 0);
+  const Certificate next = other();
+  std::filesystem::rename(next.key, made.key);  // as certbot puts other files in the place of these
+  std::filesystem::rename(next.certificate, made.certificate);
+  const std::filesystem::path after = kept_copy(made.certificate, "after.pem");
+  EXPECT_TRUE(becomes([&] { return is_believed(after); }));
+  EXPECT_FALSE(is_believed(before));
+  EXPECT_EQ(ask_secretly(old, "GET", "/api/v1/jobs").status, 200) << "on the connection that it had";
+  EXPECT_EQ(renewed(after), 1);
+  const double expires = figure(after, "toile_certificate_expires_seconds");
+  EXPECT_NEAR(expires, static_cast<double>(std::time(nullptr) + 86400), 3600);
+}
+
+TEST_F(RenewedTls, ABrokenOrForeignPairKeepsTheOldOneUntilItIsWhole) {
+  const std::filesystem::path before = kept_copy(made.certificate, "before.pem");
+  const Certificate next = other();
+  const auto put = [this](const std::string& bytes, const std::filesystem::path& to) {
+    std::ofstream(keys / "put") << bytes;
+    std::filesystem::rename(keys / "put", to);  // at once, so that what is refused can be counted
+  };
+  put("-----BEGIN CERTIFICATE-----\nMIIB", made.certificate);
+  EXPECT_TRUE(becomes([&] { return refused(before) == 1; }));
+  put(text_of(next.certificate), made.certificate);  // whole, but the key is that of the one before
+  EXPECT_TRUE(becomes([&] { return refused(before) == 2; }));
+  EXPECT_TRUE(is_believed(before));
+  std::filesystem::remove(made.key);
+  EXPECT_TRUE(becomes([&] { return refused(before) == 3; }));
+  EXPECT_TRUE(is_believed(before));
+  EXPECT_EQ(renewed(before), 0);
+  put(text_of(next.key), made.key);
+  EXPECT_TRUE(becomes([&] { return is_believed(next.certificate); }));
+  EXPECT_EQ(renewed(next.certificate), 1);
+  EXPECT_EQ(refused(next.certificate), 3) << "each was looked at once, not again and again";
+}
+
 class TlsFiles : public Served {};
 
 TEST_F(TlsFiles, ThatCannotBeUsedAreNamed) {
@@ -181,6 +274,9 @@ TEST_F(TlsFiles, ThatCannotBeUsedAreNamed) {
   EXPECT_EQ(refused(folder / "none.pem", good.key).code, "server.tls");
   EXPECT_EQ(refused(good.certificate, nonsense).where, nonsense);
   EXPECT_EQ(refused(good.certificate, "").code, "server.tls");
+  std::filesystem::create_directories(folder / "other");
+  const Certificate other = make_certificate(folder / "other");
+  EXPECT_EQ(refused(good.certificate, other.key).where, other.key) << "the key of another";
 }
 
 }  // namespace
