@@ -59,12 +59,12 @@ Claim JobRoster::claim_of(const LiveJob& job) const {
   return {shares_.had(job.context.owner), job.row.priority};
 }
 
-LiveJobPtr JobRoster::next_in_turn(WorkerKind kind) const {
+LiveJobPtr JobRoster::next_in_turn(WorkerKind kind, bool begun_only) const {
   std::vector<LiveJobPtr> waiting;
   std::vector<Claim> claims;
   for (const std::string& id : queue_.ids()) {
     const LiveJobPtr& job = jobs_.at(id);
-    if (!is_for(kind, *job)) continue;
+    if (!is_for(kind, *job) || (begun_only && !job->run)) continue;
     waiting.push_back(job);
     claims.push_back(claim_of(*job));
   }
@@ -72,7 +72,7 @@ LiveJobPtr JobRoster::next_in_turn(WorkerKind kind) const {
   return turn ? waiting[*turn] : nullptr;
 }
 
-LiveJobPtr JobRoster::next(WorkerKind kind) const {
+LiveJobPtr JobRoster::next(WorkerKind kind, int most) const {
   bool anybody_runs = false, suspect_runs = false;
   for (const auto& [id, job] : jobs_) {
     anybody_runs = anybody_runs || job->held;
@@ -80,12 +80,15 @@ LiveJobPtr JobRoster::next(WorkerKind kind) const {
   }
   if (suspect_runs) return nullptr;
   if (LiveJobPtr suspect = first_suspect()) return anybody_runs ? nullptr : suspect;
+  if (begun() >= most) {
+    if (LiveJobPtr begun = next_in_turn(kind, true)) return begun;
+  }
   return next_in_turn(kind);
 }
 
-bool JobRoster::is_to_make_room(const LiveJob& job) const {
+bool JobRoster::is_to_make_room(const LiveJob& job, int most) const {
   if (job.suspect || first_suspect()) return false;
-  const LiveJobPtr next = next_in_turn(WorkerKind::kAny);
+  const LiveJobPtr next = next_in_turn(WorkerKind::kAny, begun() >= most);
   return next && makes_room(claim_of(job), claim_of(*next));
 }
 

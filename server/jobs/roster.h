@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -42,12 +43,14 @@ class JobRoster {
   bool anybody_waits() const { return !queue_.ids().empty(); }
 
   /// Of those that no worker holds, whose turn it is (turn.h); a suspect before all others, and once nothing
-  /// else runs. Nothing while a suspect runs.
-  LiveJobPtr next(WorkerKind kind) const;
+  /// else runs. Nothing while a suspect runs. Where no more than `most` drapes may lie in memory and that
+  /// many do, one of them, if any of them waits.
+  LiveJobPtr next(WorkerKind kind, int most = std::numeric_limits<int>::max()) const;
   /// The first of those that wait and may have crashed their holder.
   LiveJobPtr first_suspect() const;
-  /// Whether the holder of the job is to make room for one whose turn it is rather.
-  bool is_to_make_room(const LiveJob& job) const;
+  /// Whether the holder of the job is to make room for one whose turn it is rather; where no more than `most`
+  /// drapes may lie in memory and that many do, only for one that does.
+  bool is_to_make_room(const LiveJob& job, int most) const;
   /// Jobs whose drape lies in memory.
   int begun() const;
 
@@ -57,7 +60,7 @@ class JobRoster {
   void count(std::int64_t now_ms, JobService::Counts& counts) const;
 
  private:
-  LiveJobPtr next_in_turn(WorkerKind kind) const;
+  LiveJobPtr next_in_turn(WorkerKind kind, bool begun_only = false) const;
   Claim claim_of(const LiveJob& job) const;
 
   std::map<std::string, LiveJobPtr> jobs_;  ///< by id

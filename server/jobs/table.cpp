@@ -216,12 +216,12 @@ bool JobTable::clear(const Changing&, LiveJob& job) {
 
 bool JobTable::is_to_make_room(const LiveJob& job, int most) const {
   const std::lock_guard lock(mutex_);
-  return open_ && roster_.begun() < most && roster_.is_to_make_room(job);
+  return open_ && roster_.is_to_make_room(job, most);
 }
 
-LiveJobPtr JobTable::next_ready(const Changing&, WorkerKind kind) const {
+LiveJobPtr JobTable::next_ready(const Changing&, WorkerKind kind, int most) const {
   const std::lock_guard lock(mutex_);
-  return open_ ? roster_.next(kind) : nullptr;
+  return open_ ? roster_.next(kind, most) : nullptr;
 }
 
 void JobTable::make_wait(const Changing&, LiveJob& job) {

@@ -85,7 +85,7 @@ class JobTable {
   /// Takes a job out and gives back its drape, to be freed when the locks are not held.
   std::unique_ptr<JobRun> remove(const Changing&, const LiveJobPtr& job);
   /// Whose turn it is (JobRoster::next); nothing once the table is closed.
-  LiveJobPtr next_ready(const Changing&, WorkerKind kind) const;
+  LiveJobPtr next_ready(const Changing&, WorkerKind kind, int most) const;
   /// A worker has the job; without a drape it gets one from `make`, for the stream of that epoch: each lease
   /// has its own.
   void hand_out(const Changing&, LiveJob& job,
@@ -117,8 +117,7 @@ class JobTable {
   bool is_out_of_patience() const;
   /// Waits until a job may be taken: true; or until the table is closed: false.
   bool wait_for_work(WorkerKind kind);
-  /// Whether the holder of the job is to make room for one whose turn it is rather, when no more than `most`
-  /// drapes lie in memory.
+  /// JobRoster::is_to_make_room; never once the table is closed.
   bool is_to_make_room(const LiveJob& job, int most) const;
   /// Waits, but not for a closed table.
   void pause(std::chrono::milliseconds time);

@@ -22,7 +22,7 @@ LiveJobPtr QueueingJobService::claim(WorkerKind kind) {
   while (table_.wait_for_work(kind)) {
     {
       const Changing changing = table_.changing();
-      LiveJobPtr job = table_.next_ready(changing, kind);
+      LiveJobPtr job = table_.next_ready(changing, kind, settings_.workers + settings_.max_parked);
       if (!job) continue;  // another worker was quicker
       const Status claimed = claim(changing, job);
       if (claimed) return job;

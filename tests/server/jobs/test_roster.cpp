@@ -56,7 +56,32 @@ TEST(JobRoster, GivesTheTurnToTheOwnerWhoHasHadLeast) {
   EXPECT_EQ(next(roster), "first");
   roster.charge(*first, 5);
   EXPECT_EQ(next(roster), "second");
-  EXPECT_TRUE(roster.is_to_make_room(*first));
+  EXPECT_TRUE(roster.is_to_make_room(*first, 9));
+}
+
+TEST(JobRoster, GoesRoundThoseInMemoryWhereThereIsRoomForNoMore) {
+  jobs::JobRoster roster;
+  const jobs::LiveJobPtr runs = job("runs", "a", kRunning), begun = job("begun", "b", kRunning),
+                         fresh = job("fresh", "c");
+  for (const jobs::LiveJobPtr& each : {runs, begun}) {
+    each->run = std::make_unique<jobs::JobRun>(jobs::RunPlace{}, each->context, each->id, 1);
+    each->context.lease = 1;
+    roster.enter(each);
+  }
+  roster.enter(fresh);
+  roster.put(*begun, jobs::QueuePlace::kFront);  // it has made room before
+  runs->held = true;
+  roster.charge(*runs, 5);
+  roster.charge(*begun, 5);
+  EXPECT_EQ(next(roster), "fresh");
+  EXPECT_TRUE(roster.is_to_make_room(*runs, 3));
+  EXPECT_FALSE(roster.is_to_make_room(*runs, 2)) << "there is no room for a third, and begun has had as much";
+  roster.charge(*runs, 5);
+  EXPECT_TRUE(roster.is_to_make_room(*runs, 2)) << "for begun, which lies there already";
+  EXPECT_EQ(roster.next(WorkerKind::kAny, 2)->id, "begun") << "and that is who comes";
+  EXPECT_EQ(roster.next(WorkerKind::kAny, 3)->id, "fresh");
+  begun->held = true;
+  EXPECT_EQ(roster.next(WorkerKind::kAny, 2)->id, "fresh") << "rather than that a worker does nothing";
 }
 
 TEST(JobRoster, LetsASuspectRunBeforeAllOthersAndAlone) {
@@ -67,7 +92,7 @@ TEST(JobRoster, LetsASuspectRunBeforeAllOthersAndAlone) {
   roster.enter(suspect);
   plain->held = true;
   EXPECT_EQ(next(roster), "") << "another runs";
-  EXPECT_FALSE(roster.is_to_make_room(*plain)) << "what runs goes on until it ends";
+  EXPECT_FALSE(roster.is_to_make_room(*plain, 9)) << "what runs goes on until it ends";
   plain->held = false;
   EXPECT_EQ(next(roster), "suspect");
   suspect->held = true;

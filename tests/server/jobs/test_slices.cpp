@@ -138,6 +138,21 @@ TEST_F(JobSlices, NoDrapeMakesRoomWhereThereIsNoMemoryForAnother) {
   EXPECT_TRUE(store::is_final(state(batch)));
 }
 
+TEST_F(JobSlices, TheDrapesThatThereIsMemoryForTakeTurnsAndNoOtherBegins) {
+  settings.max_parked = 1;
+  start_one();
+  const std::string ann = submit_as(kOwner, cloth_over_block(200, kEndless)),
+                    bob = submit_as(kBob, cloth_over_block(200, kEndless));
+  ASSERT_TRUE(publisher.wait_for_frames(bob, 1)) << "ann made room for it";
+  const std::string cid =
+      submit_as(store::RequestContext("cid"), cloth_over_block(200, kEndless), kInteractive);
+  for (int turn = 0; turn < 2; ++turn) {
+    ASSERT_TRUE(publisher.wait_for_frames(ann, frames(ann) + 1));
+    ASSERT_TRUE(publisher.wait_for_frames(bob, frames(bob) + 1));
+  }
+  EXPECT_EQ(publisher.log(cid).topologies.size(), 0U);
+}
+
 TEST_F(JobSlices, AnExpressWorkerBeginsWhatOthersHaveNoTimeFor) {
   settings.max_parked = 0;  // so that nobody makes room, as nobody does while it meshes or waits for pictures
   settings.express = 1;
