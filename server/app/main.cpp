@@ -15,6 +15,7 @@
 #include "server/app/exit_codes_text.h"
 #include "server/app/fabric_verbs.h"
 #include "server/app/help_verbs.h"
+#include "server/app/measure_option.h"
 #include "server/app/mesh_reader.h"
 #include "server/app/result_verbs.h"
 #include "server/app/service_verbs.h"
@@ -102,11 +103,9 @@ CLI::App* add_check(CLI::App& app, Options& options) {
   return verb;
 }
 
-/// "arm_length" as "--arm-length".
+/// With its other spelling.
 std::string option_of(measure::Measure m) {
-  std::string text = "--" + std::string(measure::measure_name(m));
-  std::replace(text.begin(), text.end(), '_', '-');
-  return m == measure::Measure::kBust ? text + ",--chest" : text;
+  return measure_option(m) + (m == measure::Measure::kBust ? ",--chest" : "");
 }
 
 CLI::App* add_body_make(CLI::App& body, BodyMakeOptions& make) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -13,6 +14,7 @@
 #include "core/sample/sample_project.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/measure_option.h"
 #include "server/app/mesh_reader.h"
 #include "server/documents/arrangement.h"
 
@@ -28,6 +30,27 @@ struct Dressed {
   draft::Wearer wearer;
   project::ProjectBody body;
 };
+
+/// The first option that says for whom it is drafted; empty: none.
+std::string named_wearer(const SampleOptions& options) {
+  if (!options.body.empty()) return "--body";
+  if (!options.preset.empty()) return "--preset";
+  if (!options.sex.empty()) return "--sex";
+  const auto given = std::find_if(options.measures_cm.begin(), options.measures_cm.end(),
+                                  [](const std::optional<double>& cm) { return cm.has_value(); });
+  if (given == options.measures_cm.end()) return {};
+  return measure_option(static_cast<measure::Measure>(given - options.measures_cm.begin()));
+}
+
+/// What nobody wears is drafted for nobody: a wearer that is named has no say in it, and is told so.
+Status check_wearer(const SampleOptions& options, const draft::GarmentKind& kind) {
+  const std::string named = named_wearer(options);
+  if (!kind.preset.empty() || named.empty()) return {};
+  return Error{"usage.wearer",
+               "nobody wears the sample " + options.name + ", so it is drafted for no body: leave " + named +
+                   " out, or take a sample that is worn; toile sample lists for whom each is drafted",
+               named};
+}
 
 /// The mannequin that was asked for, or the garment's own.
 Result<Dressed> mannequin_of(const SampleOptions& options, const draft::GarmentKind& kind) {
@@ -78,6 +101,7 @@ Result<draft::Garment> make(const SampleOptions& options) {
   if (kind == nullptr) {
     return Error{"usage.sample", "there is no such sample; toile sample lists them", options.name};
   }
+  TRY(check_wearer(options, *kind));
   TRY(make_folder(options.out));
   const bool worn = !kind->preset.empty();
   Dressed dressed;
@@ -111,7 +135,9 @@ ExitCode list_samples(bool as_json) {
   std::vector<json::JsonValue> list;
   for (const draft::GarmentKind& kind : draft::garment_kinds()) {
     const std::string name(kind.name), summary(kind.summary), preset(kind.preset);
-    if (!as_json) std::printf("%-14s %s (%s)\n", name.c_str(), summary.c_str(), preset.c_str());
+    if (!as_json)
+      std::printf("%-14s %s (%s)\n", name.c_str(), summary.c_str(),
+                  preset.empty() ? "worn by nobody" : preset.c_str());
     list.push_back(std::vector<json::JsonMember>{{"name", name}, {"summary", summary}, {"preset", preset}});
   }
   if (as_json) std::printf("%s", json::write_json(std::vector<json::JsonMember>{{"samples", list}}).c_str());

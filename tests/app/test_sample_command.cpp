@@ -197,5 +197,20 @@ TEST(SampleCommand, SaysWhatIsWrongWithWhatItWasAsked) {
   EXPECT_NE(cloth.err.find("sample.cloth"), std::string::npos) << cloth.err;
 }
 
+TEST(SampleCommand, RefusesAWearerOfWhatNobodyWears) {
+  using Words = std::vector<std::string>;
+  for (const std::string name : {"curtain", "chair-cover", "tablecloth"}) {
+    for (const Words& asked : {Words{"--preset", "eu40"}, Words{"--body", "person.obj"},
+                               Words{"--sex", "male"}, Words{"--arm-length", "60"}}) {
+      const fs::path out = fresh_folder("toile_sample_wearer") / "made";
+      const Ran run = run_toile({"sample", name, asked[0], asked[1], "--out", out});
+      EXPECT_EQ(run.code, 2) << name << " " << asked[0];
+      EXPECT_NE(run.err.find("usage.wearer"), std::string::npos) << run.err;
+      EXPECT_NE(run.err.find("leave " + asked[0] + " out"), std::string::npos) << run.err;
+      EXPECT_FALSE(fs::exists(out)) << "nothing is written";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace toile

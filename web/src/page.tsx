@@ -3,12 +3,14 @@
 import { computed, effect, untracked } from '@preact/signals';
 import { render } from 'preact';
 import { makeApi } from './api/Api';
+import { makeDressingApi } from './api/dressing';
 import { ClothStream, type WorkerPort } from './api/ClothStream';
 import { Commands } from './commands/Commands';
 import { Comparer } from './commands/Comparer';
 import { CommandsContext } from './commands/context';
 import { MapKeeper } from './commands/MapKeeper';
 import { Poller } from './commands/Poller';
+import { SectionKeeper } from './commands/SectionKeeper';
 import { Watcher } from './commands/Watcher';
 import { ImportPreview } from './pattern/ImportPreview';
 import { PatternPane } from './pattern/PatternPane';
@@ -180,6 +182,7 @@ watcher.start();
 new Comparer(state, api).start();
 commands.sweeps.start();
 new MapKeeper(state).start();
+new SectionKeeper(state, makeDressingApi()).start();
 effect(() => {
   if (state.atWork.value) untracked(() => commands.tours.greet());
 });
@@ -232,6 +235,7 @@ Object.assign(window, {
     drawn: () => hook.drawn,
     firstDrawnMs: () => hook.firstDrawnMs,
     map: () => state.clothMap.value,
+    section: () => state.section.cut.value,
     looks: () => [...state.looks.value.keys()],
     start: () => state.dressing.start.value?.positions.length ?? 0,
     startHash: () => (state.dressing.start.value ? positionsHash(state.dressing.start.value.positions) : ''),

@@ -6,16 +6,11 @@ import { loading, valueOf, type AppState } from '../state/AppState';
 import { BodySurface } from '../state/BodySurface';
 import { grainsOf, mapOf, measured, type MapKind } from '../state/clothMaps';
 import type { BodyMesh } from '../api/body';
-
-/** Between two measurements at least, ms; and so many times as long as one takes. */
-const kPauseMs = 200;
-const kShare = 4;
+import { FramePace } from './FramePace';
 
 export class MapKeeper {
   private surface_: { body: BodyMesh; surface: BodySurface } | null = null;
-  /** The last measurement, ms. */
-  private took_ = 0;
-  private timer_: ReturnType<typeof setTimeout> | undefined;
+  private readonly pace_ = new FramePace(() => this.measure());
 
   constructor(private readonly state_: AppState) {}
 
@@ -25,24 +20,20 @@ export class MapKeeper {
       void mapKind.value;
       void body.value;
       void pieces.value;
-      untracked(() => this.measure());
+      untracked(() => this.pace_.now());
     });
     cloth.listen((event) => {
       if (event !== 'frame') this.state_.clothMap.value = null;
-      if (mapKind.value) this.timer_ ??= setTimeout(() => this.measure(), Math.max(kPauseMs, kShare * this.took_));
+      if (mapKind.value) this.pace_.soon();
     });
   }
 
   private measure(): void {
-    clearTimeout(this.timer_);
-    this.timer_ = undefined;
     const { mapKind, clothMap, pointedValue } = this.state_;
     const kind = mapKind.value;
-    const begun = performance.now();
     const values = kind && this.values(kind);
     clothMap.value = kind && values ? mapOf(kind, values) : null;
     if (!clothMap.value) pointedValue.value = NaN;
-    this.took_ = performance.now() - begun;
   }
 
   private values(kind: MapKind): Float32Array | null {

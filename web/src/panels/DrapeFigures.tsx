@@ -8,6 +8,7 @@ import { cssColour } from '../state/patternGeometry';
 import { count, duration, seconds, speed } from '../state/words';
 import { OutcomeList } from './OutcomeList';
 import { PinList } from './PinList';
+import { SectionPanel } from './SectionPanel';
 import { SolverField } from './SolverField';
 import { t } from '../texts/language';
 
@@ -19,6 +20,7 @@ export function DrapeFigures() {
       <OutcomeList />
       {job && <Speed samples={state.history.value} job={job} />}
       <PinList />
+      <SectionPanel />
       {job && <Facts job={job} />}
       <SolverField />
       <Parts />

@@ -12,6 +12,7 @@ import { FitTable } from './FitTable';
 import { Movies, type MovieMaking } from './Movies';
 import { OutcomeList } from './OutcomeList';
 import type { PicturesProps } from './Rail';
+import { SectionPanel } from './SectionPanel';
 import { t } from '../texts/language';
 import { Told } from '../texts/Message';
 
@@ -33,6 +34,7 @@ export function Results({ resultUrl, movies }: PicturesProps & { movies?: MovieM
       {stills.length > 0 && <Stills names={stills} urlOf={urlOf} enlarge={(name) => (large.value = name)} />}
       <Report />
       <Fit />
+      <SectionPanel />
       <CompareWith job={job} />
       <Movies job={job} making={movies} />
       {downloads.length > 0 && <h3>{t.common.takeOut}</h3>}

@@ -5,7 +5,6 @@ import {
   BoxGeometry,
   BufferGeometry,
   CanvasTexture,
-  Color,
   EdgesGeometry,
   Float32BufferAttribute,
   Group,
@@ -21,16 +20,13 @@ import {
   type Raycaster,
   Sprite,
   SpriteMaterial,
-  Vector2,
   Vector3,
 } from 'three';
-import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import type { BoxSide, Finding, PartBox, Place, ProjectBody } from '../api/dressing';
 import type { Marks } from '../state/dressing';
 import type { BoxPlace } from '../tools/SceneTool';
 import { faceOf, onFace } from './boxFaces';
+import { disposeLines, fatLines, fitLines, setSegments } from './fatLines';
 
 const kTape = '#b3261e';
 const kLit = '#ffb300';
@@ -148,15 +144,12 @@ export class BodyMarks {
 
   /** Lines are as wide as they are said in pixels of this picture. */
   resize(width: number, height: number): void {
-    for (const lines of [this.tape_, this.lit_]) lines.material.resolution = new Vector2(width, height);
+    for (const lines of [this.tape_, this.lit_]) fitLines(lines, width, height);
   }
 
   dispose(): void {
     this.clearBoxes();
-    for (const lines of [this.tape_, this.lit_]) {
-      lines.geometry.dispose();
-      lines.material.dispose();
-    }
+    for (const lines of [this.tape_, this.lit_]) disposeLines(lines);
     this.landmarks_.geometry.dispose();
     this.target_.geometry.dispose();
     for (const material of [this.boxFill_, this.boxEdge_, this.target_.material]) material.dispose();
@@ -215,23 +208,6 @@ export class BodyMarks {
     for (const part of this.boxes_.children) (part as Mesh).geometry.dispose();
     this.boxes_.clear();
   }
-}
-
-function fatLines(colour: string, pixels: number): LineSegments2 {
-  const lines = new LineSegments2(
-    new LineSegmentsGeometry(),
-    new LineMaterial({ color: new Color(colour).getHex(), linewidth: pixels }),
-  );
-  lines.frustumCulled = false;
-  lines.visible = false;
-  return lines;
-}
-
-function setSegments(lines: LineSegments2, points: number[]): void {
-  lines.visible = points.length > 0;
-  if (points.length === 0) return;
-  lines.geometry.dispose();
-  lines.geometry = new LineSegmentsGeometry().setPositions(points);
 }
 
 /** From each point of a tape to the next, around when it closes; x y z of both ends, one after the other. */

@@ -93,8 +93,10 @@ export function ScenePane(props: ScenePaneProps) {
         (props.told ?? <Overlay />)
       )}
       <Busy />
-      <ViewTools hands={props.told === undefined} />
-      {props.told === undefined && <HandHint />}
+      <div class="scene-top">
+        <ViewTools hands={props.told === undefined} />
+        {props.told === undefined && <HandHint />}
+      </div>
       <MapLegend />
     </section>
   );
@@ -147,6 +149,7 @@ function connect(scene: SceneView, state: AppState): () => void {
     effect(() => scene.setFinishes(state.finishes.value)),
     effect(() => scene.showOpenSeams(!state.beforeDrape.value && state.job.value?.state === 'succeeded', token('--bad'))),
     effect(() => scene.setMap(state.beforeDrape.value || state.atHome.value ? null : state.clothMap.value)),
+    effect(() => scene.setSection(state.section.cut.value)),
     effect(() => scene.lightSeam(state.litParts.value)),
     effect(() => scene.highlight(state.selected.value, state.hovered.value)),
     effect(() => {

@@ -10,6 +10,7 @@ import type { Progress } from '../api/types';
 import type { Marks } from '../state/dressing';
 import type { ClothMap } from '../state/clothMaps';
 import type { Finish } from '../state/fabrics';
+import type { Section } from '../state/section';
 import type { Held } from '../state/hands';
 import type { SeamPart } from '../state/seamView';
 import type { Look } from '../state/texture';
@@ -25,6 +26,7 @@ import { PointerRay } from './PointerRay';
 import { finestRatio, hasGraphicsCard, makeRenderer } from './renderer';
 import { SceneCamera } from './SceneCamera';
 import { SceneHands } from './SceneHands';
+import { SectionMarks } from './SectionMarks';
 import { Studio, type StudioColours } from './Studio';
 
 export class SceneView {
@@ -39,6 +41,7 @@ export class SceneView {
   private readonly body_: BodyObject;
   private readonly marks_ = new BodyMarks();
   private readonly handMarks_ = new HandMarks();
+  private readonly sectionMarks_ = new SectionMarks();
   /** Shown in place of the drape's cloth. */
   private start_: Start | null = null;
   private readonly resizer_: ResizeObserver;
@@ -71,7 +74,7 @@ export class SceneView {
       hovered: new Color('#ffffff'),
     });
     this.body_ = new BodyObject(0xcfc8bf);
-    this.scene_.add(this.studio_.group, this.body_.mesh, this.cloth_.group, this.marks_.group, this.handMarks_.group);
+    this.scene_.add(this.studio_.group, this.body_.mesh, this.cloth_.group, this.marks_.group, this.handMarks_.group, this.sectionMarks_.group);
     this.camera_ = new SceneCamera(canvas_, () => this.invalidate());
     this.camera_.apply(poseFor('three-quarter', kBodyOnly, kFov, 1));
     this.renderer_.compile(this.scene_, this.camera_.camera);
@@ -153,6 +156,11 @@ export class SceneView {
     this.invalidate();
   }
 
+  setSection(section: Section | null): void {
+    this.sectionMarks_.show(section);
+    this.invalidate();
+  }
+
   setMap(map: ClothMap | null): void {
     this.cloth_.setMap(map);
     this.invalidate();
@@ -218,6 +226,7 @@ export class SceneView {
     this.cloth_.dispose();
     this.marks_.dispose();
     this.handMarks_.dispose();
+    this.sectionMarks_.dispose();
     this.body_.dispose();
     this.studio_.dispose();
     this.renderer_.dispose();
@@ -322,6 +331,7 @@ export class SceneView {
     const height = Math.max(1, box.clientHeight);
     this.renderer_.setSize(width, height, false);
     this.marks_.resize(width, height);
+    this.sectionMarks_.resize(width, height);
     this.camera_.setAspect(width / height);
     this.invalidate();
   }

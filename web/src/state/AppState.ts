@@ -17,6 +17,7 @@ import type { IntakePlan } from './intake';
 import { hasBegun, isActive, jobAtHome, newestJobOf, withProgress } from './jobs';
 import { LiveCloth } from './LiveCloth';
 import type { Route } from './routes';
+import { SectionState } from './SectionState';
 import { SweepState } from './sweeps';
 import { seamParts, type SeamPart } from './seamView';
 import { looksOf, type Look } from './texture';
@@ -86,6 +87,7 @@ export class AppState {
   readonly editing = new EditingState();
   readonly dressing = new DressingState();
   readonly hands = new HandsState();
+  readonly section = new SectionState();
   /** Of the two drapes that stand side by side. */
   readonly comparison = new ComparisonState();
   readonly sweeps = new SweepState();
@@ -175,6 +177,11 @@ export class AppState {
     return hasBegun(job) && job.progress?.phase !== 'stills' && this.stream.value.state === 'open';
   });
 
+  /** Whether there is a drape's cloth to cut through. */
+  readonly cuttable: ReadonlySignal<boolean> = computed(
+    () => this.covered.value && !this.beforeDrape.value && this.atWork.value,
+  );
+
   /** The project was edited since the shown drape, which is still under way, was begun. */
   readonly outdated: ReadonlySignal<boolean> = computed(() => {
     const job = this.job.value;
@@ -240,6 +247,14 @@ export class AppState {
 
   constructor() {
     this.cloth.listen(() => (this.covered.value = this.cloth.positions !== null));
+  }
+
+  /** Shows the section, and the panel that it stands in; or puts it away. */
+  turnToSection(): void {
+    const { shown } = this.section;
+    shown.value = !shown.value;
+    if (!shown.value || ['drape', 'result'].includes(this.tab.value)) return;
+    this.tab.value = this.job.value && isActive(this.job.value.state) ? 'drape' : 'result';
   }
 
   /** Puts one job's newest row into the list. */

@@ -17,6 +17,7 @@ import { outcome } from './de/outcome';
 import { pattern } from './de/pattern';
 import { report } from './de/report';
 import { scene } from './de/scene';
+import { section } from './de/section';
 import { share } from './de/share';
 import { sweep } from './de/sweep';
 import { tour } from './de/tour';
@@ -38,6 +39,7 @@ export const de: Texts = {
   pattern,
   report,
   scene,
+  section,
   share,
   sweep,
   tour,

@@ -16,6 +16,7 @@ import { outcome } from './en/outcome';
 import { pattern } from './en/pattern';
 import { report } from './en/report';
 import { scene } from './en/scene';
+import { section } from './en/section';
 import { share } from './en/share';
 import { sweep } from './en/sweep';
 import { tour } from './en/tour';
@@ -37,6 +38,7 @@ export const en = {
   pattern,
   report,
   scene,
+  section,
   share,
   sweep,
   tour,

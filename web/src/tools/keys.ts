@@ -124,6 +124,14 @@ export const bindings: Binding[] = [
     run: (_, s) => (s.mapKind.value = nextMap(s.mapKind.value)),
   },
   {
+    key: 'c',
+    shown: 'C',
+    title: () => t.keys.does.section,
+    group: 'view',
+    work: true,
+    run: (_, s) => s.cuttable.value && s.turnToSection(),
+  },
+  {
     key: 'l',
     shown: 'L',
     title: () => t.keys.does.rail,

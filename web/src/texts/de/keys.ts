@@ -45,6 +45,7 @@ export const keys: Texts['keys'] = {
     body: 'Körper ein oder aus',
     mesh: 'Netz ein oder aus',
     map: 'Nächste Karte des Stoffes',
+    section: 'Querschnitt durch Körper und Stoff',
     rail: 'Projektliste ein oder aus',
     help: 'Diese Liste',
     escape: 'Auswahl aufheben, schließen',

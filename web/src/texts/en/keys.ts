@@ -43,6 +43,7 @@ export const keys = {
     body: 'Body on or off',
     mesh: 'Mesh on or off',
     map: 'Next map of the cloth',
+    section: 'Section through body and cloth',
     rail: 'Project list on or off',
     help: 'This list',
     escape: 'Select nothing, close',
