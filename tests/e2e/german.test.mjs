@@ -4,15 +4,14 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { before, describe } from 'node:test';
-import { closeAfter, openBrowser, openPage, shoot, shootAll, waitFor, waitForState } from './browser.mjs';
-import { Service, root } from './service.mjs';
-import { kPatience, steps } from './steps.mjs';
+import { describe } from 'node:test';
+import { shoot, waitFor } from './browser.mjs';
+import { root } from './service.mjs';
+import { openNewest, setStage } from './stage.mjs';
 
-const service = new Service();
 const kDesk = { viewport: { width: 1280, height: 720 }, locale: 'de-DE' };
 const kPhone = { viewport: { width: 390, height: 844 }, locale: 'de-DE' };
-let browser, page;
+let page;
 
 const button = (name) => page.getByRole('button', { name, exact: true });
 const tab = (name) => page.getByRole('tab', { name, exact: true });
@@ -47,24 +46,13 @@ async function looks(name) {
 }
 
 async function openAt(options) {
-  const { jobs } = await (await service.get('/jobs')).json();
-  page = await openPage(browser, `${service.url}/#/jobs/${jobs[0].id}`, options);
-  await waitForState(page, 'succeeded');
+  page = await openNewest(stage, options);
 }
 
-before(
-  async () => {
-    await service.start();
-    browser = await openBrowser();
-  },
-  { timeout: kPatience },
-);
-
-closeAfter(() => browser, service);
+const stage = setStage();
+const { service, it } = stage;
 
 describe('the page in German', () => {
-  const it = steps(() => shootAll(browser));
-
   it('speaks the browser’s language', async () => {
     await openAt(kDesk);
     assert.equal(await page.evaluate(() => document.documentElement.lang), 'de');

@@ -5,10 +5,11 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, describe } from 'node:test';
-import { ask, closeAfter, openBrowser, openPage, shoot, shootAll, waitFor, waitForCalm, waitForState } from './browser.mjs';
+import { after, describe } from 'node:test';
+import { ask, openPage, shoot, waitFor, waitForCalm, waitForState } from './browser.mjs';
 import { Service, root } from './service.mjs';
-import { kPatience, steps, until } from './steps.mjs';
+import { setStage } from './stage.mjs';
+import { until } from './steps.mjs';
 
 /** The sample T-shirt, which never seems at rest: its time begins anew with each hand that lets go. */
 function lastingShirt() {
@@ -22,8 +23,7 @@ function lastingShirt() {
 }
 
 const shirt = lastingShirt();
-const service = new Service(shirt);
-let browser, page, id;
+let page, id;
 
 const button = (name) => page.getByRole('button', { name, exact: true });
 const progress = async () => (await ask(page, 'job')).progress;
@@ -45,25 +45,17 @@ const middleOfCanvas = async (dx, dy) => {
   return [box.x + box.width * dx, box.y + box.height * dy];
 };
 
-before(
-  async () => {
-    await service.start();
-    browser = await openBrowser();
-  },
-  { timeout: kPatience },
-);
+const stage = setStage({ service: new Service(shirt) });
+const { service, it } = stage;
 
-closeAfter(() => browser, service);
 after(() => rmSync(shirt, { recursive: true, force: true }));
 
 describe('hands on the cloth', () => {
-  const it = steps(() => shootAll(browser));
-
   it('have tools while the T-shirt drapes', async () => {
     const { jobs } = await (await service.get('/jobs')).json();
     id = jobs[0].id;
     await holdOnceDraping(id);
-    page = await openPage(browser, `${service.url}/#/jobs/${id}`);
+    page = await openPage(stage.browser, `${service.url}/#/jobs/${id}`);
     await waitForState(page, 'paused');
     await page.keyboard.press('1');
     await waitForCalm(page);

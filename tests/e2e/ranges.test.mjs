@@ -2,28 +2,23 @@
 // and is draped so. Screenshots are kept in out/e2e. The tests build on each other, in this order.
 
 import assert from 'node:assert/strict';
-import { before, describe } from 'node:test';
-import { ask, closeAfter, openBrowser, openPage, shoot, shootAll, waitFor, waitForCalm, waitForState } from './browser.mjs';
-import { Service } from './service.mjs';
-import { kPatience, steps } from './steps.mjs';
+import { describe } from 'node:test';
+import { ask, openPage, shoot, waitFor, waitForCalm, waitForState } from './browser.mjs';
+import { setStage } from './stage.mjs';
+import { steps } from './steps.mjs';
 
-const service = new Service();
 const kDesk = { viewport: { width: 1280, height: 800 } };
 const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 let browser, page, project;
 
-before(
-  async () => {
-    await service.start();
-    browser = await openBrowser();
-    project = (await (await service.get('/projects')).json()).projects[0].id;
-    page = await openPage(browser, `${service.url}/#/projects/${project}`, kDesk);
+const { service, it } = setStage({
+  begin: async (stage) => {
+    browser = stage.browser;
+    project = (await (await stage.service.get('/projects')).json()).projects[0].id;
+    page = await openPage(browser, `${stage.service.url}/#/projects/${project}`, kDesk);
     await waitForState(page, 'succeeded'); // of the sample
   },
-  { timeout: kPatience },
-);
-
-closeAfter(() => browser, service);
+});
 
 const shown = async () => (await service.get(`/projects/${project}`)).json();
 const changedFrom = async (revision) => {
@@ -47,8 +42,6 @@ const clickAt = async (watched, ...place) => watched.mouse.click(...(await place
 const chip = () => page.locator('.range-chip text');
 
 describe('free-range sewing', () => {
-  const it = steps(() => shootAll(browser));
-
   it('takes a range by two clicks, which meet corners', async () => {
     await waitFor(page, () => window.__toile.project() !== null);
     await page.getByRole('tab', { name: 'Pattern' }).click();

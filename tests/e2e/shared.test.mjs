@@ -4,12 +4,12 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { before, describe } from 'node:test';
-import { ask, closeAfter, openBrowser, openPage, shoot, shootAll, waitFor, waitForCalm, waitForState } from './browser.mjs';
-import { Service, root } from './service.mjs';
-import { kPatience, steps, until } from './steps.mjs';
+import { describe } from 'node:test';
+import { ask, openPage, shoot, waitFor, waitForCalm } from './browser.mjs';
+import { root } from './service.mjs';
+import { openNewest, setStage } from './stage.mjs';
+import { until } from './steps.mjs';
 
-const service = new Service();
 const kPhone = { viewport: { width: 390, height: 844 }, colorScheme: 'dark' };
 let browser, page, guest, phone, link;
 
@@ -31,22 +31,14 @@ async function liveJob() {
 /** Whether nothing sticks out at the side. */
 const fits = (watched) => watched.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
 
-before(
-  async () => {
-    await service.start();
-    browser = await openBrowser();
-    const { jobs } = await (await service.get('/jobs')).json();
-    page = await openPage(browser, `${service.url}/#/jobs/${jobs[0].id}`);
-    await waitForState(page, 'succeeded');
+const { service, it } = setStage({
+  begin: async (stage) => {
+    browser = stage.browser;
+    page = await openNewest(stage);
   },
-  { timeout: kPatience },
-);
-
-closeAfter(() => browser, service);
+});
 
 describe('share links', () => {
-  const it = steps(() => shootAll(browser));
-
   it('are made in the page, and shown once to be copied', async () => {
     await page.getByRole('button', { name: 'Share' }).click();
     await page.getByLabel('3D models (GLB, OBJ)').check();

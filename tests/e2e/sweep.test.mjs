@@ -3,33 +3,24 @@
 // other, in this order.
 
 import assert from 'node:assert/strict';
-import { before, describe } from 'node:test';
-import { closeAfter, openBrowser, openPage, shoot, shootAll, waitForCalm, waitForState } from './browser.mjs';
-import { Service } from './service.mjs';
-import { kPatience, steps } from './steps.mjs';
+import { describe } from 'node:test';
+import { openPage, shoot, waitForCalm, waitForState } from './browser.mjs';
+import { openNewest, setStage } from './stage.mjs';
+import { kPatience } from './steps.mjs';
 
-const service = new Service();
 let browser, page, sweep;
 
-before(
-  async () => {
-    await service.start();
-    browser = await openBrowser();
-    const { jobs } = await (await service.get('/jobs')).json();
-    page = await openPage(browser, `${service.url}/#/jobs/${jobs[0].id}`);
-    await waitForState(page, 'succeeded');
+const { service, it } = setStage({
+  begin: async (stage) => {
+    browser = stage.browser;
+    page = await openNewest(stage);
   },
-  { timeout: kPatience },
-);
-
-closeAfter(() => browser, service);
+});
 
 const cells = () => page.locator('a.sweep-cell');
 const shown = async () => (await service.get(`/sweeps/${sweep}`)).json();
 
 describe('sweeps', () => {
-  const it = steps(() => shootAll(browser));
-
   it('are chosen from a project by bodies and fabrics', async () => {
     await page.getByRole('button', { name: 'Try others' }).click();
     await page.getByLabel('EU 38').check();

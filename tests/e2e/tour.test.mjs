@@ -2,27 +2,21 @@
 // taken again. Screenshots are kept in out/e2e. The tests build on each other, in this order.
 
 import assert from 'node:assert/strict';
-import { before, describe } from 'node:test';
-import { closeAfter, openBrowser, openPage, shoot, shootAll, waitFor, waitForState } from './browser.mjs';
-import { Service } from './service.mjs';
-import { kPatience, steps } from './steps.mjs';
+import { describe } from 'node:test';
+import { openPage, shoot, waitFor, waitForState } from './browser.mjs';
+import { setStage } from './stage.mjs';
 
-const service = new Service();
 const kDesk = { viewport: { width: 1280, height: 800 }, firstVisit: true };
 const kPhone = { viewport: { width: 390, height: 844 }, colorScheme: 'dark', locale: 'de-DE', firstVisit: true };
 let browser, page, project;
 
-before(
-  async () => {
-    await service.start();
-    browser = await openBrowser();
-    project = (await (await service.get('/projects')).json()).projects[0].id;
-    page = await openPage(browser, service.url, kDesk);
+const { service, it } = setStage({
+  begin: async (stage) => {
+    browser = stage.browser;
+    project = (await (await stage.service.get('/projects')).json()).projects[0].id;
+    page = await openPage(browser, stage.service.url, kDesk);
   },
-  { timeout: kPatience },
-);
-
-closeAfter(() => browser, service);
+});
 
 const card = (watched = page) => watched.locator('.tour');
 
@@ -34,8 +28,6 @@ async function isInside(watched) {
 }
 
 describe('the tour', () => {
-  const it = steps(() => shootAll(browser));
-
   it('leaves the first page alone and greets in a project, in five stops', async () => {
     await page.getByRole('heading', { name: 'See your pattern on a body' }).waitFor();
     assert.equal(await card().count(), 0);

@@ -181,6 +181,7 @@ listenForKeys(commands, state);
 watcher.start();
 new Comparer(state, api).start();
 commands.sweeps.start();
+commands.versions.start();
 new MapKeeper(state).start();
 new SectionKeeper(state, makeDressingApi()).start();
 effect(() => {

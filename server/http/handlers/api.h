@@ -71,6 +71,7 @@ ApiRoutes asset_routes();
 ApiRoutes project_routes();
 ApiRoutes pattern_file_routes();
 ApiRoutes edit_routes();
+ApiRoutes version_routes();
 ApiRoutes body_routes();
 ApiRoutes fabric_routes();
 ApiRoutes arrangement_routes();

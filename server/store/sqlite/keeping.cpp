@@ -15,7 +15,7 @@ Result<store::OwnedId> owned_id_from(const SqlStatement& row) {
 
 Result<store::Usage> usage_from(const SqlStatement& row) {
   store::Usage usage;
-  usage.bytes = row.integer(0) + row.integer(1) + row.integer(2);
+  usage.bytes = row.integer(0) + row.integer(1) + row.integer(2) + row.integer(7);
   usage.assets = static_cast<int>(row.integer(3));
   usage.projects = static_cast<int>(row.integer(4));
   usage.jobs = static_cast<int>(row.integer(5));
@@ -47,7 +47,8 @@ Result<store::Usage> SqliteStore::usage_of(const store::OwnerId& owner) {
                     " (SELECT count(*) FROM projects WHERE owner = ?1),"
                     " (SELECT count(*) FROM jobs WHERE owner = ?1),"
                     " (SELECT count(*) FROM jobs WHERE owner = ?1 AND state IN (" +
-                        store::unfinished_states_in_sql() + "))",
+                        store::unfinished_states_in_sql() +
+                        ")), (SELECT coalesce(sum(document_bytes), 0) FROM versions WHERE owner = ?1)",
                     {owner}),
                 usage_from, "owner", owner);
 }
@@ -101,7 +102,7 @@ Result<std::vector<std::string>> SqliteStore::files_columns(const char* table) {
 Result<std::vector<store::OwnedId>> SqliteStore::unused_assets(std::int64_t before_ms) {
   const std::lock_guard hold(mutex_);
   std::set<std::string> used;  // of whichever owner: that an id is named says enough
-  for (const char* table : {"projects", "jobs"}) {
+  for (const char* table : {"projects", "jobs", "versions"}) {
     const std::vector<std::string> columns = TRY(files_columns(table));
     for (const std::string& column : columns) add_ids(used, column);
   }

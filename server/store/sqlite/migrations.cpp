@@ -4,6 +4,7 @@
 #include <string>
 
 #include "server/store/sqlite/sweep_schema.h"
+#include "server/store/sqlite/version_schema.h"
 
 namespace toile::sqlite {
 namespace {
@@ -252,6 +253,7 @@ END;
 )sql"},
     {14, "drapes that were asked for together", kSweepSchema},
     {15, "drapes without pictures", "ALTER TABLE jobs ADD COLUMN pictures INTEGER NOT NULL DEFAULT 1;"},
+    {16, "named states of projects", kVersionSchema},
 };
 
 constexpr const char* kRemembered = R"sql(

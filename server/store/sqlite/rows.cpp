@@ -26,10 +26,6 @@ Result<std::map<std::string, Value>> map_from(const std::string& text, const std
   return map;
 }
 
-Result<FileIds> files_from(const std::string& text, const std::string& thing) {
-  return map_from<std::string>(text, thing, [](const Json& value) { return value.is_string(); });
-}
-
 /// The text under a key; empty where there is none.
 std::string text_at(const Json& object, const char* key) {
   const auto found = object.find(key);
@@ -77,6 +73,10 @@ std::string text_of(const Map& map) {
 }
 
 }  // namespace
+
+Result<FileIds> files_from(const std::string& text, const std::string& thing) {
+  return map_from<std::string>(text, thing, [](const Json& value) { return value.is_string(); });
+}
 
 /// A number of bytes alone is a row of before results had hashes.
 Result<store::ResultFiles> results_from(const std::string& text, const std::string& thing) {

@@ -49,6 +49,8 @@ std::string column_text(const std::vector<std::string>& labels);
 /// JobRow::notes as a JSON list, JobRow::verdict as an object or an empty text.
 std::string column_text(const std::vector<store::JobNote>& notes);
 std::string column_text(const std::optional<store::JobVerdict>& verdict);
+/// And back; `thing` names the row. Errors: store.corrupt.
+Result<FileIds> files_from(const std::string& text, const std::string& thing);
 /// And back; `thing` names the row. Error: store.corrupt.
 Result<store::ResultFiles> results_from(const std::string& text, const std::string& thing);
 

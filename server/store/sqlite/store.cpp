@@ -129,7 +129,8 @@ Result<std::vector<store::AssetRow>> SqliteStore::assets(const store::RequestCon
 Result<bool> SqliteStore::names_asset(const store::OwnerId& owner, const std::string& id) {
   const std::string quoted = '"' + id + '"';
   for (const char* sql : {"SELECT count(*) FROM projects WHERE owner = ? AND instr(files, ?) > 0",
-                          "SELECT count(*) FROM jobs WHERE owner = ? AND instr(files, ?) > 0"}) {
+                          "SELECT count(*) FROM jobs WHERE owner = ? AND instr(files, ?) > 0",
+                          "SELECT count(*) FROM versions WHERE owner = ? AND instr(files, ?) > 0"}) {
     SqlStatement count = TRY(database_.prepare(sql, {owner, quoted}));
     TRY(count.step());
     if (count.integer(0) > 0) return true;
@@ -143,7 +144,7 @@ Status SqliteStore::remove_asset(const store::RequestContext& context, const std
   const std::lock_guard hold(mutex_);
   const bool named = TRY(names_asset(context.owner, id));
   if (named) {
-    return Error{"store.in_use", "a project or a job uses this file; remove that first", "",
+    return Error{"store.in_use", "a project, a version of one or a job uses this file; remove that first", "",
                  ErrorKind::kConflict};
   }
   TRY(database_.run("DELETE FROM assets WHERE owner = ? AND id = ?", {context.owner, id}));

@@ -23,6 +23,7 @@
 #include "server/store/sqlite/links.h"
 #include "server/store/store.h"
 #include "server/store/sweeps.h"
+#include "server/store/versions.h"
 #include "server/store/webhooks.h"
 
 namespace toile::sqlite {
@@ -37,7 +38,8 @@ class SqliteStore final : public store::Store,
                           public store::Events,
                           public store::Webhooks,
                           public store::JobSearch,
-                          public store::Sweeps {
+                          public store::Sweeps,
+                          public store::Versions {
  public:
   struct Locks {
     std::optional<store::FolderLock> server;
@@ -166,6 +168,15 @@ class SqliteStore final : public store::Store,
                                               int limit) override;
   Result<std::vector<store::JobRow>> jobs_of_sweep(const store::RequestContext& context,
                                                    const std::string& id) override;
+
+  Result<store::VersionRow> add_version(const store::RequestContext& context, store::VersionRow row,
+                                        int expected) override;
+  Result<store::VersionRow> version(const store::RequestContext& context, const std::string& project_id,
+                                    const std::string& id) override;
+  Result<std::vector<store::ToldVersion>> versions(const store::RequestContext& context,
+                                                   const std::string& project_id) override;
+  Status remove_version(const store::RequestContext& context, const std::string& project_id,
+                        const std::string& id) override;
 
  private:
   // What follows expects mutex_ to be held.

@@ -1,11 +1,12 @@
 // The service's routes as functions. Everything above this file talks to the service through it.
 
 import { decodeBody, type BodyMesh } from './body';
-import { Http, kLongPatience } from './http';
+import { Http, kLongPatience, matching } from './http';
 import { makeLinkApi, type LinkApi } from './links';
 import { makePatternUrls, type PatternUrls } from './patternFiles';
 import { makeSweepApi, type SweepApi } from './sweeps';
 import { makeSessionApi, type SessionApi } from './session';
+import { makeVersionApi, type VersionApi } from './versions';
 import type {
   Answer,
   Asset,
@@ -26,7 +27,7 @@ import type {
 
 export type JobAction = 'pause' | 'resume' | 'step' | 'cancel';
 
-export interface Api extends SessionApi, LinkApi, PatternUrls, SweepApi {
+export interface Api extends SessionApi, LinkApi, PatternUrls, SweepApi, VersionApi {
   projects(): Promise<Project[]>;
   project(id: string): Promise<Project>;
   createProject(document: unknown, files: Record<string, string>): Promise<Project>;
@@ -75,14 +76,14 @@ export interface Api extends SessionApi, LinkApi, PatternUrls, SweepApi {
 
 const part = encodeURIComponent;
 const kBytes = { 'Content-Type': 'application/octet-stream' };
-const matching = (revision: number): Record<string, string> => ({ 'If-Match': `"${revision}"` });
 
 /** What has files of its own. */
-const otherRoutes = (http: Http): SessionApi & LinkApi & PatternUrls & SweepApi => ({
+const otherRoutes = (http: Http): SessionApi & LinkApi & PatternUrls & SweepApi & VersionApi => ({
   ...makeSessionApi(http),
   ...makeLinkApi(http),
   ...makePatternUrls(http),
   ...makeSweepApi(http),
+  ...makeVersionApi(http),
 });
 
 const keyed = (key: string) => ({ 'Idempotency-Key': key });

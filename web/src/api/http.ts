@@ -109,3 +109,6 @@ export class Http {
     return whole((await this.send(path, { signal: AbortSignal.timeout(patience) })).arrayBuffer());
   }
 }
+
+/** Names the revision that a change is made for. */
+export const matching = (revision: number): Record<string, string> => ({ 'If-Match': `"${revision}"` });

@@ -19,6 +19,7 @@ import { RangeCommands } from './RangeCommands';
 import { SweepCommands } from './SweepCommands';
 import { TextureCommands } from './TextureCommands';
 import { TourCommands } from './TourCommands';
+import { VersionCommands } from './VersionCommands';
 import { t } from '../texts/language';
 
 export interface Surroundings {
@@ -44,6 +45,7 @@ export class Commands {
   readonly sweeps: SweepCommands;
   readonly live: LiveCommands;
   readonly tours: TourCommands;
+  readonly versions: VersionCommands;
 
   constructor(
     private readonly state_: AppState,
@@ -59,6 +61,7 @@ export class Commands {
     this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
     this.sweeps = new SweepCommands(state_, api_, (route) => this.open(route), () => around_.newKey(), refresh_);
     this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));
+    this.versions = new VersionCommands(state_, api_, (ask) => this.pattern.change(ask));
     this.tours = new TourCommands(state_);
     this.live = new LiveCommands(state_, (word) => around_.say(word));
     this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);

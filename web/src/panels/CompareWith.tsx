@@ -4,6 +4,7 @@ import { useCommands } from '../commands/context';
 import type { Job } from '../api/types';
 import { comparable } from '../state/comparison';
 import { useAppState } from '../state/context';
+import { madeOf } from '../state/versions';
 import { ago } from '../state/words';
 import { t } from '../texts/language';
 
@@ -14,7 +15,7 @@ export function CompareWith({ job }: { job: Job }) {
   const others = comparable(state.allJobs.value, job);
   if (others.length === 0) return null;
   const nameOf = (other: Job): string =>
-    `${other.project_id === job.project_id ? '' : `${other.name}, `}${t.frame.revision(other.project_revision)} · ${ago(other.ended_ms || other.created_ms, state.now.value)}`;
+    `${other.project_id === job.project_id ? '' : `${other.name}, `}${madeOf(state.versions.list.value, other)} · ${ago(other.ended_ms || other.created_ms, state.now.value)}`;
   return (
     <label class="select-field">
       <span>{t.report.compareWith}</span>

@@ -5,6 +5,7 @@ import { valueOf, type Sample } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { isActive } from '../state/jobs';
 import { cssColour } from '../state/patternGeometry';
+import { versionOf } from '../state/versions';
 import { count, duration, seconds, speed } from '../state/words';
 import { OutcomeList } from './OutcomeList';
 import { PinList } from './PinList';
@@ -91,9 +92,11 @@ function Facts({ job }: { job: Job }) {
   const topology = useTopologyFacts();
   const started = job.started_ms ?? 0;
   const until = job.ended_ms || (isActive(job.state) ? state.now.value : started);
+  const version = versionOf(state.versions.list.value, job.id);
   const rows: [string, string][] = [
     [t.drape.facts.drape, job.id],
     [t.drape.facts.revision, String(job.project_revision)],
+    ...(version ? [[t.drape.facts.version, version.name] as [string, string]] : []),
     ...(started ? [[t.drape.facts.running, duration(Math.max(0, until - started) / 1000)] as [string, string]] : []),
     ...topology,
   ];

@@ -9,6 +9,7 @@ import { PatternFiles } from './PatternFiles';
 import { ProposalList } from './ProposalList';
 import { SeamList } from './SeamList';
 import { SelectionPanel } from './SelectionPanel';
+import { VersionList } from './VersionList';
 import { t } from '../texts/language';
 
 export function PatternPanel({ files }: { files?: PatternUrls | undefined }) {
@@ -23,6 +24,7 @@ export function PatternPanel({ files }: { files?: PatternUrls | undefined }) {
       <SeamList pieces={pieces} />
       <ProposalList pieces={pieces} />
       {files && <PatternFiles urls={files} />}
+      <VersionList />
       <HistoryList />
     </>
   );

@@ -7,6 +7,7 @@ import { valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { activity, isActive, newestJobOf, overall, stateName, thumbnailOf, withoutStale } from '../state/jobs';
 import { ago, percent, sentence } from '../state/words';
+import { madeOf } from '../state/versions';
 import { Icon } from '../controls/Icon';
 import { SweepList } from './SweepList';
 import { t } from '../texts/language';
@@ -184,13 +185,13 @@ function JobRow({ job, resultUrl }: { job: Job } & PicturesProps) {
 
 /** The drape's state in a line, with how far it is or when it was. */
 function Standing({ job }: { job: Job }) {
-  const { now } = useAppState();
+  const { now, versions } = useAppState();
   const { state, progress } = job;
   const active = isActive(state);
   const fraction = progress ? overall(progress.phase, progress.fraction) : 0;
   const when = ago(job.ended_ms || job.created_ms, now.value);
   const word = state === 'running' ? activity(state, progress?.phase) : stateName(state);
-  const rest = active && state !== 'queued' ? percent(fraction, 0) : `${t.frame.revision(job.project_revision)} · ${when}`;
+  const rest = active && state !== 'queued' ? percent(fraction, 0) : `${madeOf(versions.list.value, job)} · ${when}`;
   return (
     <>
       <small class={`state-${state}`}>

@@ -21,6 +21,7 @@ import { SectionState } from './SectionState';
 import { SweepState } from './sweeps';
 import { seamParts, type SeamPart } from './seamView';
 import { looksOf, type Look } from './texture';
+import { VersionState } from './versions';
 
 /** Something that is fetched. */
 export type Loaded<T> = { state: 'loading' } | { state: 'ready'; value: T } | { state: 'failed'; error: ApiError };
@@ -91,6 +92,7 @@ export class AppState {
   /** Of the two drapes that stand side by side. */
   readonly comparison = new ComparisonState();
   readonly sweeps = new SweepState();
+  readonly versions = new VersionState();
 
   readonly notices: Signal<Notice[]> = signal([]);
   readonly intake: Signal<Intake | null> = signal(null);

@@ -21,6 +21,7 @@ import { section } from './de/section';
 import { share } from './de/share';
 import { sweep } from './de/sweep';
 import { tour } from './de/tour';
+import { versions } from './de/versions';
 
 export const de: Texts = {
   arrange,
@@ -43,4 +44,5 @@ export const de: Texts = {
   share,
   sweep,
   tour,
+  versions,
 };

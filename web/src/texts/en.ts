@@ -20,6 +20,7 @@ import { section } from './en/section';
 import { share } from './en/share';
 import { sweep } from './en/sweep';
 import { tour } from './en/tour';
+import { versions } from './en/versions';
 
 export const en = {
   arrange,
@@ -42,6 +43,7 @@ export const en = {
   share,
   sweep,
   tour,
+  versions,
 };
 
 export type Texts = typeof en;

@@ -385,6 +385,78 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/projects/{id}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+            };
+            cookie?: never;
+        };
+        /** States of a project that were named, newest first */
+        get: operations["listVersions"];
+        put?: never;
+        /**
+         * Name the state that a project has, to come back to it
+         * @description A version keeps the whole document with its files, whatever becomes of the project and its history. Names are used once
+         *     (`versions.taken`).
+         */
+        post: operations["nameVersion"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/projects/{id}/versions/{version}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+                /** @example v_1qedqq1nd5hfbjxpm78j */
+                version: components["parameters"]["VersionId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Come back to a version
+         * @description One step of the history, which can be undone; none where the project stands so already.
+         */
+        post: operations["restoreVersion"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/projects/{id}/versions/{version}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+                /** @example v_1qedqq1nd5hfbjxpm78j */
+                version: components["parameters"]["VersionId"];
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** Remove a version; the project and its drapes stay */
+        delete: operations["removeVersion"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/projects/{id}/proposals": {
         parameters: {
             query?: never;
@@ -2425,6 +2497,17 @@ export interface components {
             /** @description Garment less body */
             ease_mm: number;
         };
+        Version: {
+            id: string;
+            name: string;
+            /** @description of the project when it was named */
+            revision: number;
+            created_ms: number;
+            /** @description Whether the project stands as it did */
+            current: boolean;
+            /** @description Drapes of this very state, newest first; those after a return to it too */
+            jobs: string[];
+        };
         JobEvent: {
             /** @description Its id; empty where a sweep itself has ended or is gone */
             job: string;
@@ -4225,6 +4308,8 @@ export interface components {
         AssetId: string;
         /** @example p_1qedqq1nd5hfbjxpm78j */
         ProjectId: string;
+        /** @example v_1qedqq1nd5hfbjxpm78j */
+        VersionId: string;
         /** @example s_1qedqq1nd5hfbjxpm78j */
         SweepId: string;
         /** @example w_1qedqq1nd5hfbjxpm78j */
@@ -5130,6 +5215,138 @@ export interface operations {
             409: components["responses"]["Problem"];
             412: components["responses"]["Problem"];
             428: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listVersions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description All versions, 200 at most */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        versions: components["schemas"]["Version"][];
+                    };
+                };
+            };
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    nameVersion: {
+        parameters: {
+            query?: never;
+            header: {
+                /**
+                 * @description The ETag of the revision that this changes, or * for whichever there is
+                 * @example "3"
+                 */
+                "If-Match": components["parameters"]["IfMatch"];
+            };
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "name": "with a slit"
+                 *     }
+                 */
+                "application/json": {
+                    /** @description 80 bytes at most */
+                    name: string;
+                };
+            };
+        };
+        responses: {
+            /** @description The version */
+            201: {
+                headers: {
+                    Location: components["headers"]["Location"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Version"];
+                };
+            };
+            400: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            412: components["responses"]["Problem"];
+            413: components["responses"]["Problem"];
+            415: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            428: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    restoreVersion: {
+        parameters: {
+            query?: never;
+            header: {
+                /**
+                 * @description The ETag of the revision that this changes, or * for whichever there is
+                 * @example "3"
+                 */
+                "If-Match": components["parameters"]["IfMatch"];
+            };
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+                /** @example v_1qedqq1nd5hfbjxpm78j */
+                version: components["parameters"]["VersionId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            200: components["responses"]["Project"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            412: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            428: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    removeVersion: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example p_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["ProjectId"];
+                /** @example v_1qedqq1nd5hfbjxpm78j */
+                version: components["parameters"]["VersionId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It is gone */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            404: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };

@@ -16,6 +16,7 @@ export const drape: Texts['drape'] = {
   dashed: 'gestrichelt: in Ruhe',
   facts: {
     drape: 'Drapierung',
+    version: 'Version',
     revision: 'Revision des Projekts',
     running: 'Laufzeit',
     particles: 'Netzpunkte',

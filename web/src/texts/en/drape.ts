@@ -14,6 +14,7 @@ export const drape = {
   dashed: 'dashed: at rest',
   facts: {
     drape: 'Drape',
+    version: 'Version',
     revision: 'Project revision',
     running: 'Running time',
     particles: 'Particles',
