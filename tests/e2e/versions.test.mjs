@@ -54,6 +54,7 @@ describe('versions', () => {
     await waitFor(page, (was) => window.__toile.project().revision > was, before);
     await line('As drawn').getByText('as it is now').waitFor();
     const old = await ask(page, 'job');
+    assert.equal(await page.getByText('The project has changed since this drape.').count(), 0);
     await page.getByRole('button', { name: 'Drape again' }).click();
     await waitFor(page, (id) => window.__toile.job().id !== id, old.id);
     await waitForState(page, 'succeeded');

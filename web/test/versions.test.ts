@@ -72,6 +72,18 @@ describe('versions', () => {
     expect(state.project.value?.revision).toBe(4);
   });
 
+  it('leave a drape up to date when one comes back to what it was made of', async () => {
+    const { state, commands } = begin({ versions: async () => [versionNamed('first', { current: true, jobs: ['j_1'] })] });
+    state.jobs.value = ready([jobOf({ id: 'j_1', project_id: 'p_1', project_revision: 1, state: 'succeeded' })]);
+    expect(state.since.value).not.toBeNull();
+    const stop = commands.start();
+    await settled();
+    expect(state.since.value).toBeNull();
+    state.projects.value = ready([projectOf({ revision: 4 })]);
+    expect(state.since.value, 'until it is told anew').not.toBeNull();
+    stop();
+  });
+
   it('say what a drape was made of', () => {
     const list = [versionNamed('second', { jobs: ['j_2'] }), versionNamed('first', { jobs: ['j_2', 'j_1'] })];
     expect(versionOf(list, 'j_2')?.name).toBe('second');

@@ -38,9 +38,12 @@ export class VersionCommands {
 
   private async load(id: string): Promise<void> {
     const of = this.of_;
+    const revision = this.state_.project.value?.revision ?? 0;
     try {
       const list = await this.api_.versions(id);
-      if (this.of_ === of) this.state_.versions.list.value = list;
+      if (this.of_ !== of) return;
+      this.state_.versions.list.value = list;
+      this.state_.versions.told.value = revision;
     } catch {
       // What is there of them stays; the next look asks again.
       if (this.of_ === of) this.of_ = `${id} `;

@@ -21,7 +21,7 @@ import { SectionState } from './SectionState';
 import { SweepState } from './sweeps';
 import { seamParts, type SeamPart } from './seamView';
 import { looksOf, type Look } from './texture';
-import { VersionState } from './versions';
+import { standsAs, VersionState } from './versions';
 
 /** Something that is fetched. */
 export type Loaded<T> = { state: 'loading' } | { state: 'ready'; value: T } | { state: 'failed'; error: ApiError };
@@ -203,6 +203,7 @@ export class AppState {
     const job = this.job.value;
     const project = this.project.value;
     if (!job || !project || isActive(job.state) || project.revision <= job.project_revision) return null;
+    if (standsAs(this.versions, project.revision, job.id)) return null;
     const isNewer = (step: EditStep): boolean => step.created_ms > job.created_ms;
     const [newer, before] = [true, false].map((is) => this.editing.history.value.filter((step) => isNewer(step) === is));
     const steps = newer!.filter((step) => !step.undone);

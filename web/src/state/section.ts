@@ -49,7 +49,7 @@ export interface Level {
 const kLeastBody = 0.05;
 
 /** Through the cloth between two heights. `person`: whether outlines are called by parts of a person. */
-export function sectionAt(
+function sectionAt(
   height: number,
   range: Section['range'],
   body: CutMesh | null,
