@@ -30,8 +30,8 @@ Status check_name(const std::string& name) {
 
 Result<store::VersionRow> name_version(Documents& documents, const store::RequestContext& context,
                                        const std::string& project, const std::string& name, int expected) {
-  TRY(check_name(name));
   const store::ProjectRow row = TRY(documents.store().project(context, project));
+  TRY(check_name(name));
   if (expected != 0 && expected != row.revision)
     return Error{"store.conflict",
                  "the project has changed since; it is at revision " + std::to_string(row.revision), "",

@@ -78,6 +78,17 @@ class Contract : public Served {
     EXPECT_EQ(recorded("POST", project + "/redo", "", any).status, 200);
     recorded("POST", project + "/redo", "");
     recorded("GET", project + "/edits");
+    const Answer version = recorded("POST", project + "/versions", R"({"name": "as drawn"})", any);
+    EXPECT_EQ(version.status, 201);
+    recorded("POST", project + "/versions", R"({"name": "as drawn"})", any);
+    recorded("POST", project + "/versions", R"({"name": ""})", any);
+    recorded("POST", project + "/versions", R"({"name": "late"})", "If-Match: \"99\"\r\n");
+    const std::string named = project + "/versions/" + member(version, "id");
+    recorded("GET", project + "/versions");
+    EXPECT_EQ(recorded("POST", named + "/restore", "", any).status, 200);
+    recorded("POST", project + "/versions/v_0/restore", "", any);
+    EXPECT_EQ(recorded("DELETE", named).status, 204);
+    recorded("DELETE", named);
   }
 
   void record_bodies(const std::string& post) {

@@ -83,6 +83,9 @@ class Accounts : public Served {
     webhook.url = "https://example.org/";
     webhook.states = {"cancelled"};
     const std::string hook = store::webhooks_of(*store)->add_webhook(webhook)->id;
+    version = member(as(full, "POST", "/api/v1/projects/" + project + "/versions", R"({"name": "as drawn"})",
+                        json + "If-Match: *\r\n"),
+                     "id");
     const std::string sweep =
         member(as(full, "POST", "/api/v1/sweeps", "{\"project_id\": \"" + project + "\"}", json), "id");
     const store::JobRow swept = store::sweeps_of(*store)->jobs_of_sweep(owner, sweep)->front();
@@ -100,7 +103,7 @@ class Accounts : public Served {
   std::string address_of(const std::string& path) {
     std::string address = path;
     const std::map<std::string, std::string> others{
-        {"{body}", "anna"}, {"{landmark}", "navel"}, {"{number}", "1"}};
+        {"{body}", "anna"}, {"{landmark}", "navel"}, {"{number}", "1"}, {"{version}", version}};
     const auto put = [&](const std::string& brace, const std::string& value) {
       const std::size_t at = address.find(brace);
       if (at != std::string::npos) address.replace(at, brace.size(), value);
@@ -125,6 +128,7 @@ class Accounts : public Served {
         {"PUT /api/v1/projects/{id}/bodies/{body}",
          R"({"mannequin": {"preset": "eu40", "triangles": 1000}})"},
         {"PUT /api/v1/projects/{id}/bodies/{body}/landmarks/{landmark}", R"({"place": [0, 1, 0.2]})"},
+        {"POST /api/v1/projects/{id}/versions", R"({"name": "with a slit"})"},
         {"POST /api/v1/projects/{id}/place", R"({"piece": "back", "side": "back"})"},
         {"POST /api/v1/webhooks", R"({"url": "https://example.org/other"})"},
         {"POST /api/v1/shared", R"({"secret": "guess"})"},
@@ -156,6 +160,7 @@ class Accounts : public Served {
   std::string full;      ///< Anna's token for everything
   std::string last_key;  ///< id of the token that was made last
   std::string shared;    ///< secret of a link to Anna's job
+  std::string version;   ///< id of one of Anna's project
   std::map<std::string, std::string> things;
 };
 
