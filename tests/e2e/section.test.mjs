@@ -38,6 +38,7 @@ const outOfView = (watched) =>
 
 describe('a section', () => {
   it('is shown by a key, at the waist, on body and cloth', async () => {
+    await panel().waitFor(); // it is there once there is cloth, and the key does nothing before
     await page.keyboard.press('c');
     await panel().getByRole('slider', { name: 'Height' }).waitFor();
     await waitFor(page, () => window.__toile.section()?.girths[0]?.part === 'trunk');
@@ -97,6 +98,7 @@ describe('a section', () => {
     await service.post(`/jobs/${id}/pause`);
     const watched = await openPage(stage.browser, `${service.url}/#/jobs/${id}`);
     await waitForState(watched, 'paused');
+    await panel(watched).waitFor();
     await watched.keyboard.press('c');
     await waitFor(watched, () => window.__toile.section() !== null);
     await watched.setViewportSize({ width: 1280, height: 720 });
