@@ -1,0 +1,187 @@
+#include "core/pattern/seams/kinds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/pattern/seams/cuts.h"
+#include "core/pattern/seams/shapes.h"
+#include "core/pattern/seams/weights.h"
+
+namespace toile::seams {
+namespace {
+
+constexpr std::size_t kSamples = SeamRun::kSamples;
+
+constexpr const PairWeights& kWeights = kPairWeights;
+
+bool is_neck(PieceKind kind) { return kind == PieceKind::kCollar || kind == PieceKind::kHood; }
+
+/// Whether the two pieces are as large as each other: gores stand side by side.
+bool gores(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const double x = m.girth[a.panel], y = m.girth[b.panel];
+  return std::abs(x - y) < kWeights.gores * std::max(x, y);
+}
+
+/// Whether `cuff` is the upper end of what hangs from the sleeve that `end` is on, and that the opening of
+/// the sleeve: sleeves without a grain line mostly lie, with it to a side.
+bool is_cuffed(const SeamModel& m, const SeamRun& end, const SeamRun& cuff) {
+  const bool lies = m.words[end.panel].kind == PieceKind::kSleeve && !m.upright[end.panel];
+  return lies && cuff.up > kWeights.facing && std::abs(end.up) < kWeights.lying &&
+         hangs_from(m, cuff.panel, end.panel) > 0;
+}
+
+/// A piece of two edges has its sides somewhere on them, and none of the two is an upper or lower end.
+bool has_no_sides(const SeamModel& m, const SeamRun& run) { return m.lines[run.panel] < 3; }
+
+/// How much the run faces the middle of the body, -1 to 1, if its piece is a side's front or back, seen from
+/// outside; 0 where that is not known.
+double inwards(const SeamModel& m, const SeamRun& run) {
+  const PieceWords& words = m.words[run.panel];
+  return m.handed * words.side * words.face * faces_right(m, run);
+}
+
+bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
+
+/// A sleeve is sewn with its cap to a hollow edge of a bodice that does not face the middle.
+double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
+  const bool hollow = torso.turn.back() < kWeights.twin_hollow_deg && inwards(m, torso) < kWeights.inner;
+  return (hollow ? kWeights.armhole : -kWeights.armhole) + (sleeve.cap ? kWeights.cap : -kWeights.cap);
+}
+
+/// Numbers of inserts run to the right, seen from the front, as the places do that they are let into.
+double insert_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const bool first = m.words[a.panel].kind == PieceKind::kInsert;
+  const SeamRun &insert = first ? a : b, &whole = first ? b : a;
+  const PieceRow& row = m.rows[insert.panel];
+  if (row.row == kNone || row.size < 2 || m.words[whole.panel].kind == PieceKind::kInsert) return 0;
+  const Vec2 up = m.up[whole.panel], right{up.y, -up.x};
+  double low = 1e30, high = -1e30;
+  for (const SeamRun& run : m.runs) {
+    if (run.panel != whole.panel) continue;
+    low = std::min(low, dot(run.at[0], right));
+    high = std::max(high, dot(run.at[0], right));
+  }
+  const double along = (dot(whole.at[kSamples / 2], right) - low) / (high - low);
+  const double place = (static_cast<double>(row.place) + 0.5) / static_cast<double>(row.size);
+  return kWeights.insert_place * std::abs(place - (m.words[whole.panel].face < 0 ? 1 - along : along));
+}
+
+/// Pieces of a collar meet at short ends; a lapel's long edges go to the neck, or to nothing.
+bool is_long_in_collar(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const auto is_long = [&](const SeamRun& r) { return r.length > kWeights.collar_end * m.girth[r.panel]; };
+  return is_long(a) || is_long(b);
+}
+
+/// Whether both pieces are known to be of one kind, which lie alike: or fronts and backs of a garment that
+/// names no kinds.
+bool is_named_alike(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  if (x.kind != y.kind || is_neck(x.kind)) return false;
+  return x.kind != PieceKind::kOther || (x.face * y.face != 0 && !x.layer && !y.layer);
+}
+
+}  // namespace
+
+int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  if (a.panel == b.panel) return 0;
+  if (is_cuffed(m, a, b) || is_cuffed(m, b, a)) return 1;
+  if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
+  if (std::min(a.up, b.up) > -kWeights.facing || std::max(a.up, b.up) < kWeights.facing) return 0;
+  const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
+  if (a.side || b.side || has_no_sides(m, a) || has_no_sides(m, b)) return 0;
+  if (ka == kb && m.rows[a.panel].row == m.rows[b.panel].row && gores(m, a, b)) return 0;
+  return a.up > 0 ? hangs_from(m, a.panel, b.panel) : hangs_from(m, b.panel, a.panel);
+}
+
+bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
+  return (ka == PieceKind::kSleeve && kb == PieceKind::kTorso && a.length > b.length) ||
+         (kb == PieceKind::kSleeve && ka == PieceKind::kTorso && b.length > a.length);
+}
+
+bool are_torsos(const SeamModel& m, Index i, Index j) {
+  return m.words[m.runs[i].panel].kind == PieceKind::kTorso &&
+         m.words[m.runs[j].panel].kind == PieceKind::kTorso;
+}
+
+double middle_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  const double ia = inwards(m, a), ib = inwards(m, b);
+  const bool torsos = x.kind == PieceKind::kTorso && y.kind == PieceKind::kTorso;
+  const bool own = torsos && x.side == y.side && std::min(ia, ib) > kWeights.fully_inner;
+  const bool across = x.side != y.side && std::max(ia, ib) < -kWeights.inner;
+  return own || across ? kWeights.not_middle : 0;
+}
+
+bool takes_both_halves(const SeamModel& m, Index i, Index j) {
+  const auto whole = [&](Index r) { return m.runs[r].from == 0 && m.runs[r].to == 1; };
+  const auto takes = [&](Index half, Index all) {
+    return whole(all) && is_half(m, m.runs[half].panel) && meets_halves(m, all);
+  };
+  return takes(i, j) || takes(j, i);
+}
+
+double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int hangs) {
+  const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  if (!ever_meet(ka, kb) || (on_limb(x) && on_limb(y) && x.leg != y.leg)) return kWeights.never_meet;
+  if (ka == PieceKind::kInsert || kb == PieceKind::kInsert)
+    return kWeights.insert_face * x.face * y.face + insert_merit(m, a, b);
+  if (ka == PieceKind::kSleeve && kb == PieceKind::kSleeve)
+    return a.cap || b.cap ? kWeights.cap_to_sleeve : 0;
+  if (ka == PieceKind::kCollar && kb == PieceKind::kCollar)
+    return is_long_in_collar(m, a, b) ? kWeights.collar_long : 0;
+  if (ka == PieceKind::kTorso && kb == PieceKind::kSleeve) return armhole_merit(m, a, b);
+  if (kb == PieceKind::kTorso && ka == PieceKind::kSleeve) return armhole_merit(m, b, a);
+  if ((is_neck(ka) && kb == PieceKind::kTorso && is_middle(m, b)) ||
+      (is_neck(kb) && ka == PieceKind::kTorso && is_middle(m, a)))
+    return kWeights.not_middle;
+  const bool upright = m.upright[a.panel] && m.upright[b.panel];
+  if (hangs > 0) return kWeights.hangs + (upright ? 0 : kWeights.hanging_face * x.face * y.face);
+  if (hangs < 0) return kWeights.hangs_not;
+  const bool hanging = ka != kb && (hangs_from(ka, kb) > 0 || hangs_from(kb, ka) > 0);
+  return hanging && upright && !is_neck(ka) && !is_neck(kb) ? kWeights.only_hangs : 0;
+}
+
+double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  constexpr double mostly = kWeights.facing, fully = kWeights.facing_fully;
+  if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
+  const double ua = a.up, ub = b.up;
+  if (ua < -mostly && ub < -mostly) return kWeights.two_hems;
+  if (ua > fully && ub > fully) return kWeights.two_waists;
+  const double level = std::max(std::abs(ua), std::abs(ub)), upright = std::min(std::abs(ua), std::abs(ub));
+  if (level > fully && upright < kWeights.side_up && is_named_alike(m, a, b)) return kWeights.side_to_hem;
+  if (std::min(ua, ub) > -mostly || std::max(ua, ub) < mostly) return 0;
+  if (a.panel == b.panel) return kWeights.hem_to_own_waist;
+  const bool larger_hangs = (m.girth[a.panel] > m.girth[b.panel]) == (ua > 0);
+  const int faces = m.words[a.panel].face * m.words[b.panel].face;
+  return (larger_hangs ? kWeights.larger_hangs : kWeights.smaller_hangs) + kWeights.hanging_face * faces;
+}
+
+double name_merit(const PieceWords& a, const PieceWords& b, bool twins, bool alike, bool middle) {
+  double merit = 0;
+  if (twins && a.flank) return kWeights.both_sleeves;
+  if (alike && a.limb && b.limb && a.face * b.face >= 0 && a.side * b.side <= 0) return kWeights.both_sleeves;
+  if (a.side * b.side > 0) merit += kWeights.same_side;
+  if (a.side * b.side < 0)
+    merit += a.limb && b.limb                        ? kWeights.other_side_limbs
+             : a.limb || b.limb                      ? kWeights.other_side_limb
+             : twins || (middle && a.face == b.face) ? 0
+                                                     : kWeights.other_side;
+  if (a.limb != b.limb) merit += kWeights.limb_face * a.face * b.face;
+  return merit;
+}
+
+double row_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceRow &x = m.rows[a.panel], &y = m.rows[b.panel];
+  if (x.row == kNone || x.row != y.row || x.place == y.place) return 0;
+  const bool after = y.place - x.place == 1 || x.place - y.place == x.size - 1;
+  const bool before = x.place - y.place == 1 || y.place - x.place == x.size - 1;
+  if (!after && !before) return kWeights.not_in_order;
+  if (after && before) return kWeights.next_in_row;
+  // Numbers run from left to right, as writing does.
+  const SeamRun &first = after ? a : b, &second = after ? b : a;
+  return kWeights.next_in_row * (faces_right(m, first) - faces_right(m, second)) / 2;
+}
+
+}  // namespace toile::seams

@@ -1,0 +1,68 @@
+#include "core/pattern/seams/vents.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/pattern/seams/shapes.h"
+#include "core/pattern/seams/weights.h"
+
+namespace toile::seams {
+namespace {
+
+constexpr std::size_t kSamples = SeamRun::kSamples;
+
+constexpr const PairWeights& kWeights = kPairWeights;
+
+/// Whether the run is as the middle of the body is, and `other` is so as well, behind it and longer.
+bool is_before_middle(const SeamModel& m, const SeamRun& run, const SeamRun& other) {
+  const Vec2 out = normalized(-perpendicular(chord(other)));
+  return is_middle(m, run) && is_middle(m, other) && run.mirror_edge != kNone && other.length > run.length &&
+         faces_right(m, run) * faces_right(m, other) > 0 &&
+         dot(run.at[kSamples / 2] - other.at[kSamples / 2], out) > kWeights.vent_out_mm;
+}
+
+/// Whether a run twice as long faces the same side of its piece, along the grain as well: beside the middle
+/// of a back, a shorter edge is that of a vent or a fly.
+bool is_vent(const SeamModel& m, const SeamRun& run) {
+  const double side = faces_right(m, run);
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
+    return other.panel == run.panel && other.length > 2 * run.length && other.mirror_edge != kNone &&
+           std::abs(other.turn.back()) < kWeights.curved_deg &&
+           rise(m, other) > kWeights.twin_straight_rise &&
+           side * faces_right(m, other) > kWeights.facing * kWeights.facing;
+  });
+}
+
+}  // namespace
+
+bool stands_out(const SeamModel& m, const SeamRun& run) {
+  const auto is_step = [&](const SeamRun& step) {
+    return step.length < run.length / 2 && rise(m, step) < kWeights.facing;
+  };
+  const SeamRun& after = m.runs[run.next];
+  if (is_step(after) && is_before_middle(m, run, m.runs[after.next])) return true;
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
+    const SeamRun& step = m.runs[other.next];
+    return other.panel == run.panel && &m.runs[step.next] == &run && is_step(step) &&
+           is_before_middle(m, run, other);
+  });
+}
+
+double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
+  const PieceKind kind = m.words[run.panel].kind;
+  const bool round = run.turn.back() > kWeights.twin_round_deg;
+  double merit =
+      (round ? kWeights.twin_across_round : kWeights.twin_across) * (1 - along_grain * along_grain);
+  if (bend_of(run) < kWeights.straight_deg && along_grain > kWeights.twin_straight_rise && !is_vent(m, run) &&
+      !stands_out(m, run))
+    merit += kind == PieceKind::kHood ? kWeights.twin_face : kWeights.twin_straight;
+  if (run.turn.back() < kWeights.twin_hollow_deg && kind == PieceKind::kLegs)
+    merit += kWeights.twin_crotch;
+  else if (run.turn.back() < kWeights.twin_hollow_deg)
+    merit += kWeights.twin_hollow *
+             std::clamp((kWeights.twin_upright_rise - along_grain) / kWeights.twin_upright_width, 0.0, 1.0);
+  if (run.open_front) merit += kWeights.twin_round_front;
+  return merit;
+}
+
+}  // namespace toile::seams
