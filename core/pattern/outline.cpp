@@ -9,6 +9,7 @@
 
 #include "core/base/text.h"
 #include "core/geometry/polygon2.h"
+#include "core/pattern/corners.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/fit.h"
 
@@ -20,61 +21,10 @@ std::string place_text(Vec2 p) {
 
 namespace {
 
-constexpr double kCornerWindow = 1.5;  // mm, over which directions at a corner are measured
-constexpr double kForcedReach = 0.5;   // mm from a forced corner to its vertex
+constexpr double kForcedReach = 0.5;  // mm from a forced corner to its vertex
 constexpr std::size_t kNothing = std::numeric_limits<std::size_t>::max();
 
 using Points = std::span<const Vec2>;
-
-/// The point at distance `window` along the closed polyline from vertex i, forwards or backwards.
-Vec2 point_along(Points loop, std::size_t i, double window, bool forward) {
-  const std::size_t n = loop.size();
-  Vec2 at = loop[i];
-  for (std::size_t step = 0; step < n; ++step) {
-    i = (i + (forward ? 1 : n - 1)) % n;
-    const double l = length(loop[i] - at);
-    if (l >= window) return at + (loop[i] - at) * (window / l);
-    window -= l;
-    at = loop[i];
-  }
-  return at;
-}
-
-double turn_at(Points loop, std::size_t i, double window) {
-  const Vec2 in = loop[i] - point_along(loop, i, window, false);
-  const Vec2 out = point_along(loop, i, window, true) - loop[i];
-  return std::abs(std::atan2(cross(in, out), dot(in, out)));
-}
-
-/// Whether another vertex within the window turns more sharply (or as sharply, and comes first).
-bool outdone(Points loop, const std::vector<double>& turns, std::size_t i, double window) {
-  const std::size_t n = loop.size();
-  for (const std::size_t step : {std::size_t{1}, n - 1}) {
-    double walked = 0;
-    for (std::size_t j = i, k = (i + step) % n; k != i; j = k, k = (k + step) % n) {
-      walked += length(loop[k] - loop[j]);
-      if (walked >= window) break;
-      if (turns[k] > turns[i] || (turns[k] == turns[i] && k < i)) return true;
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
-std::vector<std::size_t> find_corners(std::span<const Vec2> loop, double corner_angle) {
-  // An eighth of the way round keeps the two sides of the window apart on tiny loops.
-  const double around = geometry::polyline_length(loop) + length(loop.front() - loop.back());
-  const double window = std::min(kCornerWindow, around / 8);
-  std::vector<double> turns(loop.size());
-  for (std::size_t i = 0; i < loop.size(); ++i) turns[i] = turn_at(loop, i, window);
-  std::vector<std::size_t> corners;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    if (turns[i] > corner_angle && !outdone(loop, turns, i, window)) corners.push_back(i);
-  return corners;
-}
-
-namespace {
 
 std::optional<Error> not_finite(const std::vector<Vec2>& points) {
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -223,45 +173,6 @@ void add_corners(Points loop, Points places, std::vector<std::size_t>& corners) 
   }
   corners.insert(corners.end(), added.begin(), added.end());
   std::sort(corners.begin(), corners.end());
-}
-
-/// Turn from the segment that ends at vertex i to the one that begins there, radians.
-double vertex_turn(Points loop, std::size_t i) {
-  const std::size_t n = loop.size();
-  const Vec2 in = loop[i] - loop[(i + n - 1) % n], out = loop[(i + 1) % n] - loop[i];
-  return std::abs(std::atan2(cross(in, out), dot(in, out)));
-}
-
-/// Vertices after i (`step` 1) or before it (n - 1) that turn about as much or more, up to a sharp corner.
-std::size_t turning_alike(Points loop, std::size_t i, std::size_t step, double sharp) {
-  constexpr double kStandsOut = 2.5;  // times the turn at a sample of a curve
-  const double turn = vertex_turn(loop, i);
-  std::size_t count = 0;
-  for (std::size_t k = (i + step) % loop.size(); k != i; k = (k + step) % loop.size(), ++count) {
-    const double other = vertex_turn(loop, k);
-    if (other > sharp || turn > kStandsOut * other) break;
-  }
-  return count;
-}
-
-/// Whether a straight line ends at vertex i, and the outline turns there far more than at the vertices beside
-/// it, but for sharp corners and one blunt corner more.
-bool is_blunt_corner(Points loop, std::size_t i, const OutlineSettings& settings) {
-  constexpr double kShort = 3, kLine = 20;  // mm: too short for a direction; long enough for a line
-  const std::size_t n = loop.size();
-  const double a = length(loop[i] - loop[(i + n - 1) % n]), b = length(loop[(i + 1) % n] - loop[i]);
-  if (std::max(a, b) < kLine || std::min(a, b) < kShort) return false;
-  if (vertex_turn(loop, i) < settings.blunt_corner_angle) return false;
-  const double sharp = settings.corner_angle;
-  return turning_alike(loop, i, 1, sharp) + turning_alike(loop, i, n - 1, sharp) <= 1;
-}
-
-/// The blunt corners that the drawing shows.
-std::vector<Vec2> blunt_corners(Points loop, const OutlineSettings& settings) {
-  std::vector<Vec2> blunt;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    if (is_blunt_corner(loop, i, settings)) blunt.push_back(loop[i]);
-  return blunt;
 }
 
 /// The blunt corners that the drawing tells.

@@ -22,7 +22,8 @@ struct OutlineSettings {
   double corner_angle = radians_from_degrees(35);
   /// Radians. Blunter corners, as of a flared cuff or of a sleeve's cap and its underarm, end an edge from
   /// this turn on, if a straight line of the drawing ends there and no vertex beside it turns nearly as much:
-  /// then it is no sample of a curve.
+  /// then it is no sample of a curve. Between two curves it takes 5/3 of that, and where a line meets a curve
+  /// half of it beyond what the curve itself turns there.
   double blunt_corner_angle = radians_from_degrees(9);
   /// mm, the farthest a fitted curve may pass from a vertex of the polyline.
   double fit_tolerance_mm = 0.1;
@@ -42,9 +43,6 @@ inline constexpr double kJointTolerance = 0.01;  // mm
 
 /// An outline around less is a fault of the drawing, not cloth.
 inline constexpr double kLeastArea = 1e-2;  // mm²
-
-/// Indices of the corners of a closed polyline, ascending. REQUIRES neighbours apart, at least 3 vertices.
-std::vector<std::size_t> find_corners(std::span<const Vec2> loop, double corner_angle);
 
 /// Why a closed polyline is no outline. Whoever read it gives it a code of his own.
 enum class OutlineFault { kNotFinite, kTooFewPoints, kZeroArea, kSelfCrossing };

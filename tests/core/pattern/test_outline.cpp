@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/geometry/polygon2.h"
+#include "core/pattern/corners.h"
 #include "core/pattern/curve.h"
 
 namespace toile {
@@ -147,6 +149,39 @@ TEST(Outline, ABluntCornerIsOneWhereALineMeetsACurve) {
   for (int i = 1; i <= 10; ++i) sleeve.push_back(sleeve.back() + at_degrees(10, 30 + 6 * i));
   sleeve.push_back({0, sleeve.back().y});
   EXPECT_EQ(pattern::loop_from_polyline(sleeve, {})->edges.size(), 4u);
+}
+
+TEST(Outline, ABluntCornerIsOneWhereTwoCurvesMeet) {
+  // A sleeve's back seam, of which samples turn by 1°, and its cap, by 2°; the cap begins `off` degrees on.
+  const auto is_corner = [](double off) {
+    std::vector<Vec2> sleeve{{0, 0}, {150, 0}};
+    for (int i = 0; i < 20; ++i) sleeve.push_back(sleeve.back() + at_degrees(12, 84 + i));
+    const Vec2 joint = sleeve.back();
+    for (int i = 0; i < 12; ++i) sleeve.push_back(sleeve.back() + at_degrees(12, 104 + off + 2 * i));
+    sleeve.push_back({0, sleeve.back().y});
+    const std::vector<Vec2> corners = pattern::blunt_corners(sleeve, {});
+    return std::any_of(corners.begin(), corners.end(), [&](Vec2 p) { return length(p - joint) < 1e-9; });
+  };
+  EXPECT_TRUE(is_corner(25));
+  EXPECT_FALSE(is_corner(10)) << "curves may turn by that between samples";
+  EXPECT_FALSE(is_corner(0));
+}
+
+/// A sleeve's underarm, 300 mm at 60°, and a curve that begins `off` degrees from it and turns by 6° at each
+/// of its samples.
+std::vector<Vec2> underarm(double off) {
+  std::vector<Vec2> sleeve{{0, 0}, at_degrees(300, 60)};
+  for (int i = 0; i < 8; ++i) sleeve.push_back(sleeve.back() + at_degrees(16, 60 + off - 3 - 6 * i));
+  sleeve.push_back({sleeve.back().x, 0});
+  return sleeve;
+}
+
+TEST(Outline, WhatACurveTurnsAtItsEndIsNotOfTheCornerWhereALineMeetsIt) {
+  EXPECT_EQ(pattern::loop_from_polyline(underarm(-5.5), {})->edges.size(), 4u)
+      << "it bends by 8.5°, 5.5° of it a corner";
+  EXPECT_EQ(pattern::loop_from_polyline(underarm(0), {})->edges.size(), 3u)
+      << "the line goes on into the curve";
+  EXPECT_EQ(pattern::loop_from_polyline(underarm(-5.5), {}, sharp_only())->edges.size(), 3u);
 }
 
 TEST(Outline, SamplesOfACurveAreNoCorners) {
