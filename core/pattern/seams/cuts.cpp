@@ -14,9 +14,11 @@ constexpr const CutWeights& kWeights = kCutWeights;
 
 double difference(double a, double b) { return std::abs(a - b) / std::max(a, b); }
 
-/// Runs of one piece that lie end to end once its darts are closed.
+/// Runs of one piece that lie end to end once its darts are closed; or two that meet in a blunt corner, as a
+/// sleeve's seam and the edge of its hem.
 struct Line {
   std::vector<Index> runs;
+  bool bent = false;                    ///< the latter
   Index before = kNone, after = kNone;  ///< runs that meet its ends
   double length = 0;
 };
@@ -47,6 +49,12 @@ std::vector<Line> lines_of(const SeamModel& m) {
       at = m.runs[m.runs[at].next].next;
     }
     lines.push_back(std::move(line));
+  }
+  for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r) {
+    const SeamRun &run = m.runs[r], &next = m.runs[run.next];
+    if (std::abs(next.angle - 180) > kWeights.bent_deg || is_leg(r) || is_leg(run.next) || run.next == r)
+      continue;
+    lines.push_back({{r, run.next}, true, before[r], next.next, run.length + next.length});
   }
   return lines;
 }
@@ -82,13 +90,13 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
   const auto other_piece = [&](const Line& line) { return m.runs[line.runs[0]].panel != m.runs[r].panel; };
   Two best;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!other_piece(lines[i])) continue;
+    if (lines[i].bent || !other_piece(lines[i])) continue;
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
       const double sum = lines[i].length + lines[j].length;
       if (sum > length * (1 + std::min(kWeights.alike, ease)) || sum < length * (1 - ease)) continue;
       // The two shoulders of one front never lie end to end.
       const bool same_piece = m.runs[lines[i].runs[0]].panel == m.runs[lines[j].runs[0]].panel;
-      if (same_piece || !other_piece(lines[j]) ||
+      if (same_piece || lines[j].bent || !other_piece(lines[j]) ||
           std::min(lines[i].length, lines[j].length) < length / kWeights.most_parts)
         continue;
       const int ends = meeting_ends(m, lines[i], lines[j]);
@@ -106,7 +114,7 @@ const Line* best_one(const SeamModel& m, const std::vector<Line>& lines, Index r
   for (const Line& line : lines) {
     if (line.runs.size() < 2 || m.runs[line.runs[0]].panel == m.runs[r].panel) continue;
     const double off = difference(line.length, m.runs[r].length);
-    if (off < least) {
+    if (off < (line.bent ? std::min(least, kWeights.exact) : least)) {
       least = off;
       best = &line;
     }

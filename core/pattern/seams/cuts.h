@@ -22,9 +22,9 @@ bool meets_halves(const SeamModel& model, Index run);
 
 /// The model with runs cut at the ends of what they are probably sewn to, in proportion. A run that is as
 /// long as a line of another piece with darts in it (a back's side and a front's) is cut at the darts, and
-/// the line's own parts are left whole. One that is as long as two others together whose neighbours are
-/// alike, so that these two would lie end to end when sewn, is cut where they meet. Runs with a partner of
-/// their own length are left whole.
+/// the line's own parts are left whole; so is one that is exactly as long as two edges with a blunt corner.
+/// One that is as long as two others together whose neighbours are alike, so that these two would lie end to
+/// end when sewn, is cut where they meet. Runs with a partner of their own length are left whole.
 SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, CutKind kind);
 
 }  // namespace toile::seams

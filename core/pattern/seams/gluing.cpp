@@ -27,18 +27,6 @@ double border_merit(double angle) {
                   (off - fair) / 100 * kWeights.border_bent);
 }
 
-/// Corners by the point that they come to; corner i is the start of run i.
-void join_corners(const SeamModel& m, const SeamGluing& g, DisjointSets& corners) {
-  corners.reset(m.runs.size());
-  for (Index a = 0; a < static_cast<Index>(m.runs.size()); ++a) {
-    const Index b = g.partner[a];
-    if (b <= a) continue;
-    const bool along = g.along(m, a, b);
-    corners.join(a, along ? b : m.runs[b].next);
-    corners.join(m.runs[a].next, along ? m.runs[b].next : b);
-  }
-}
-
 /// Whether the run faces down along the grain. The hem of a wide skirt is round.
 bool is_hem(const SeamModel& m, const SeamRun& run) {
   const Vec2 chord = run.at.back() - run.at.front();
@@ -147,6 +135,22 @@ int GluingJudge::second_lines_in_rows(const SeamGluing& g) const {
   return second / 2;
 }
 
+/// A piece of a sleeve is of the left one or of the right one: it is not sewn to a piece and to its mirror
+/// image.
+double GluingJudge::limbs(const SeamGluing& g) {
+  const auto is_sleeve = [&](Index p) { return m_.words[p].kind == PieceKind::kSleeve; };
+  mate_.assign(m_.words.size(), kNone);
+  int both = 0;
+  for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r) {
+    if (g.partner[r] == kNone) continue;
+    const Index p = runs_[r].panel, q = runs_[g.partner[r]].panel, twin = m_.twin[q];
+    if (p == q || p == twin || twin == kNone || twin == q || !is_sleeve(p) || !is_sleeve(q)) continue;
+    both += mate_[p] == twin;
+    if (mate_[p] == kNone) mate_[p] = q;
+  }
+  return kWeights.both_limbs * both;
+}
+
 /// Two pieces that mirror each other meet along one line, the middle of the body, seldom along two.
 double GluingJudge::middles(const SeamGluing& g) {
   lines_.assign(m_.words.size(), 0);
@@ -163,17 +167,20 @@ double GluingJudge::middles(const SeamGluing& g) {
   return merit;
 }
 
-/// Nearly every piece has an edge that is sewn to nothing: a hem, a neck.
+/// Nearly every piece has an edge that is sewn to nothing: a hem, a neck. But a piece of a bodice is sewn.
 double GluingJudge::free_edges(const SeamGluing& g) {
   open_.assign(m_.words.size(), 0);
+  sewn_.assign(m_.words.size(), 0);
   double merit = 0;
   for (std::size_t r = 0; r < runs_.size(); ++r) {
     const Run& run = runs_[r];
     const bool free = g.partner[r] == kNone, next_free = g.partner[run.next] == kNone;
-    if (free) open_[run.panel] = 1;
+    (free ? open_ : sewn_)[run.panel] = 1;
     if (free && run.round) merit += kWeights.free_round;
     if (free != next_free && runs_[run.next].smooth) merit += kWeights.torn_line;
   }
+  for (std::size_t p = 0; p < sewn_.size(); ++p)
+    if (!sewn_[p] && m_.words[p].kind == PieceKind::kTorso && !m_.words[p].layer) merit += kWeights.left_out;
   return merit + kWeights.shut * static_cast<double>(std::count(open_.begin(), open_.end(), 0));
 }
 
@@ -269,7 +276,7 @@ double GluingJudge::gathers(const SeamGluing& g) {
 double GluingJudge::merit(const SeamGluing& g) {
   join_corners(g);
   const double around = points(g);  // counts the points for surface()
-  const double whole = pairs(g) + sides(g) + middles(g) + free_edges(g) + around + surface(g);
+  const double whole = pairs(g) + sides(g) + limbs(g) + middles(g) + free_edges(g) + around + surface(g);
   return whole + narrow_borders(g) + gathers(g);
 }
 
@@ -280,29 +287,6 @@ SeamGluing nothing_sewn(const SeamModel& model) {
 
 double gluing_merit(const SeamModel& m, const SeamGluing& g, const GluingSettings& settings) {
   return GluingJudge(m, settings).merit(g);
-}
-
-std::vector<std::vector<Index>> free_borders(const SeamModel& m, const SeamGluing& g) {
-  DisjointSets corners;
-  join_corners(m, g, corners);
-  const auto start = [&](Index i) { return corners.root(g.turned[m.runs[i].panel] ? m.runs[i].next : i); };
-  const auto end = [&](Index i) { return corners.root(g.turned[m.runs[i].panel] ? i : m.runs[i].next); };
-  const Index count = static_cast<Index>(m.runs.size());
-  std::vector<Index> starts_at(m.runs.size(), kNone);
-  for (Index i = 0; i < count; ++i)
-    if (g.partner[i] == kNone) starts_at[start(i)] = i;
-  std::vector<bool> seen(m.runs.size(), false);
-  std::vector<std::vector<Index>> borders;
-  for (Index i = 0; i < count; ++i) {
-    if (g.partner[i] != kNone || seen[i]) continue;
-    std::vector<Index> border;
-    for (Index at = i; at != kNone && !seen[at]; at = starts_at[end(at)]) {
-      seen[at] = true;
-      border.push_back(at);
-    }
-    borders.push_back(std::move(border));
-  }
-  return borders;
 }
 
 }  // namespace toile::seams

@@ -45,6 +45,10 @@ struct GluingSettings {
 /// shapes, notches, heights along the grain, and names; against and along the outlines' direction.
 std::array<double, 2> pair_merit(const SeamModel& model, Index a, Index b, bool lengths = true);
 
+/// Whether the kinds of the pieces, or a front that opens, keep the two runs apart: what no other part of a
+/// seam makes good.
+bool never_sewn(const SeamModel& model, Index a, Index b);
+
 /// What a difference of lengths says: 6 for equal ones, 0 at a sixth.
 double length_merit(double a, double b);
 
@@ -82,6 +86,7 @@ class GluingJudge {
   double pairs(const SeamGluing& g) const;
   double sides(const SeamGluing& g) const;
   int second_lines_in_rows(const SeamGluing& g) const;
+  double limbs(const SeamGluing& g);
   double middles(const SeamGluing& g);
   double free_edges(const SeamGluing& g);
   double points(const SeamGluing& g);
@@ -97,9 +102,10 @@ class GluingJudge {
   std::vector<PointSums> sums_;
   std::vector<Gather> gathers_;
   std::vector<Index> free_at_;
+  std::vector<Index> mate_;  ///< of each panel of a sleeve: the first of another that it is sewn to
   std::vector<int> lines_;
-  std::vector<char> open_;
-  double least_border_;  ///< mm, of the bodice alone
+  std::vector<char> open_, sewn_;  ///< of each panel: an edge of it is free, is sewn
+  double least_border_;            ///< mm, of the bodice alone
   std::vector<double>
       border_length_;  ///< of the free runs that come together; nothing where not all are the bodice's
   int points_ = 0;

@@ -40,10 +40,44 @@ double inwards(const SeamModel& m, const SeamRun& run) {
   return m.handed * words.side * words.face * faces_right(m, run);
 }
 
+/// Whether the run slopes as shoulders do: straight, and neither level nor steep.
+bool is_shoulder(const SeamModel& m, const SeamRun& run) {
+  const bool slopes = run.up > kWeights.facing && run.up < kWeights.level_up;
+  return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] &&
+         bend_of(run) < kWeights.straight_deg && slopes;
+}
+
+/// As inwards(), or for a half of a bodice that names no side by where its middle is: there it opens, or it
+/// has its longest edge along the grain, from the neck to the hem; a side begins below the armhole.
+double from_side(const SeamModel& m, const SeamRun& run) {
+  const Index twin = m.twin[run.panel];
+  if (m.words[run.panel].side != 0) return inwards(m, run);
+  if (twin == kNone || twin == run.panel) return 0;
+  const SeamRun* middle = nullptr;
+  for (const SeamRun& other : m.runs) {
+    const bool line =
+        rise(m, other) > kWeights.twin_straight_rise && std::abs(other.turn.back()) < kWeights.curved_deg;
+    if (other.panel != run.panel || (!line && !other.open_front)) continue;
+    if (middle == nullptr || other.open_front || (!middle->open_front && other.length > middle->length))
+      middle = &other;
+  }
+  return middle == nullptr ? 0 : std::copysign(1, faces_right(m, *middle)) * faces_right(m, run);
+}
+
+/// Whether the run is of a bodice and cannot be at its neck: it faces the side, or slopes as a shoulder.
+bool is_off_neck(const SeamModel& m, const SeamRun& run) {
+  return m.words[run.panel].kind == PieceKind::kTorso &&
+         (from_side(m, run) < -kWeights.off_neck || is_shoulder(m, run));
+}
+
 bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
 
-/// A sleeve is sewn with its cap to a hollow edge of a bodice that does not face the middle.
+/// A sleeve is sewn with its cap to a hollow edge of a bodice that does not face the middle; a tailored one
+/// is eased into the armhole as a whole, so that no part of it takes a part of another length.
 double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
+  const auto whole = [](const SeamRun& run) { return run.from == 0 && run.to == 1; };
+  const bool differ = whole(torso) && whole(sleeve) && difference(torso, sleeve) > kWeights.tailored_ease;
+  if (m.tailored && (!sleeve.cap || differ)) return kWeights.never_meet;
   const bool hollow = torso.turn.back() < kWeights.twin_hollow_deg && inwards(m, torso) < kWeights.inner;
   return (hollow ? kWeights.armhole : -kWeights.armhole) + (sleeve.cap ? kWeights.cap : -kWeights.cap);
 }
@@ -94,9 +128,14 @@ int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 }
 
 bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  if (m.tailored) return false;
   const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
   return (ka == PieceKind::kSleeve && kb == PieceKind::kTorso && a.length > b.length) ||
          (kb == PieceKind::kSleeve && ka == PieceKind::kTorso && b.length > a.length);
+}
+
+bool on_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  return is_neck(m.words[a.panel].kind) || is_neck(m.words[b.panel].kind);
 }
 
 bool are_torsos(const SeamModel& m, Index i, Index j) {
@@ -125,10 +164,14 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
   if (!ever_meet(ka, kb) || (on_limb(x) && on_limb(y) && x.leg != y.leg)) return kWeights.never_meet;
+  const bool left_and_right = m.twin[a.panel] == b.panel && a.panel != b.panel && x.face * y.face >= 0;
+  if (left_and_right && (x.flank || (x.limb && y.limb))) return kWeights.both_sleeves;
+  if ((is_neck(ka) && y.flank) || (is_neck(kb) && x.flank))
+    return kWeights.never_meet;  // it is under the arm
   if (ka == PieceKind::kInsert || kb == PieceKind::kInsert)
     return kWeights.insert_face * x.face * y.face + insert_merit(m, a, b);
   if (ka == PieceKind::kSleeve && kb == PieceKind::kSleeve)
-    return a.cap || b.cap ? kWeights.cap_to_sleeve : 0;
+    return !a.cap && !b.cap ? 0 : m.tailored ? kWeights.never_meet : kWeights.cap_to_sleeve;
   if (ka == PieceKind::kCollar && kb == PieceKind::kCollar)
     return is_long_in_collar(m, a, b) ? kWeights.collar_long : 0;
   if (ka == PieceKind::kTorso && kb == PieceKind::kSleeve) return armhole_merit(m, a, b);
@@ -136,6 +179,7 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   if ((is_neck(ka) && kb == PieceKind::kTorso && is_middle(m, b)) ||
       (is_neck(kb) && ka == PieceKind::kTorso && is_middle(m, a)))
     return kWeights.not_middle;
+  if ((is_neck(ka) && is_off_neck(m, b)) || (is_neck(kb) && is_off_neck(m, a))) return kWeights.never_meet;
   const bool upright = m.upright[a.panel] && m.upright[b.panel];
   if (hangs > 0) return kWeights.hangs + (upright ? 0 : kWeights.hanging_face * x.face * y.face);
   if (hangs < 0) return kWeights.hangs_not;

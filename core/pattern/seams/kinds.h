@@ -10,8 +10,13 @@ namespace toile::seams {
 /// it, by their names: +1; −1 where they say the contrary; else 0.
 int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 
-/// Whether a sleeve is sewn to a bodice, which is no longer than it: caps are often gathered.
+/// Whether a sleeve is sewn to a bodice, which is no longer than it: caps are often gathered, but for those
+/// of tailored sleeves, which are eased.
 bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b);
+
+/// Whether one of the runs is of a collar or a hood: the neck's length is theirs, and nothing is gathered
+/// there.
+bool on_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 
 /// Whether both runs are of a bodice.
 bool are_torsos(const SeamModel& m, Index i, Index j);

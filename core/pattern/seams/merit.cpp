@@ -84,19 +84,25 @@ double length_merit(double a, double b) {
   return merit > 0 ? merit * std::min(1.0, longer / kWeights.short_mm) : merit;
 }
 
+bool never_sewn(const SeamModel& m, Index i, Index j) {
+  const SeamRun &a = m.runs[i], &b = m.runs[j];
+  return stays_open(m, a, b) || kind_merit(m, a, b, told_to_hang(m, a, b)) <= kWeights.never_meet;
+}
+
 std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool lengths) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   const bool twins = m.mirror[i] == j;
   const std::vector<Index>& alike = m.counterparts[i];
   const bool counterparts = std::find(alike.begin(), alike.end(), j) != alike.end();
   const int hangs = told_to_hang(m, a, b);
-  const bool gathers = hangs > 0 || is_cap(m, a, b);
+  const bool gathers = (hangs > 0 && !on_neck(m, a, b)) || is_cap(m, a, b);
   double merit = length_part(m, i, j, lengths, counterparts, gathers) + shape_merit(a, b) +
                  facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
   if (hangs > 0 && takes_both_halves(m, i, j)) merit += kWeights.half_takes_all;
   if (!twins && std::max(a.turn.back(), b.turn.back()) < kWeights.hollow_deg)
     merit += are_torsos(m, i, j) ? kWeights.two_armholes : kWeights.two_hollows;
   if (turns_in(m, a) && turns_in(m, b)) merit += kWeights.two_corners;
+  if (stays_open(m, a, b)) merit += kWeights.stays_open;
   merit += row_merit(m, a, b);
   if (a.panel == b.panel) {
     merit += own_piece_part(m, i, j) + (is_slit(m, a, i, b, j) ? kWeights.slit : 0);

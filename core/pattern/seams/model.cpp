@@ -14,6 +14,7 @@
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/likeness.h"
+#include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -131,19 +132,6 @@ void find_hands(SeamModel& m) {
   m.handed = std::abs(votes) < 0.3 * all || all == 0 ? 0 : votes > 0 ? 1 : -1;
 }
 
-/// Sleeves' caps: their edges that bulge most, and their mirror images. A sleeve whose cap is above stands,
-/// also where no grain line says so.
-void find_caps(SeamModel& m) {
-  constexpr double kBulge = 10, kAbove = 0.8;  // degrees; facing
-  std::vector<double> most(m.words.size(), kBulge);
-  for (const SeamRun& run : m.runs) most[run.panel] = std::max(most[run.panel], run.turn.back());
-  for (SeamRun& run : m.runs) {
-    run.cap = m.words[run.panel].kind == PieceKind::kSleeve && run.turn.back() >= 0.8 * most[run.panel] &&
-              run.turn.back() >= kBulge;
-    if (run.cap && run.up > kAbove) m.upright[run.panel] = 1;
-  }
-}
-
 /// Bands and cuffs, that other pieces hang from.
 void find_between(SeamModel& m) {
   m.below_cuff.assign(m.words.size(), 0);
@@ -154,18 +142,6 @@ void find_between(SeamModel& m) {
           m.words[p].side * cuff.side >= 0)
         m.below_cuff[p] = 1;
   }
-}
-
-/// Whether the piece has another edge of the run's length that faces up as well: the sides of a wide skirt
-/// do.
-bool is_side(const SeamModel& m, Index r) {
-  constexpr double kUp = 0.8;
-  const SeamRun& run = m.runs[r];
-  if (run.up < kUp) return false;
-  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
-    return other.panel == run.panel && other.edge != run.edge && other.up > kUp &&
-           equally_long(other.length, run.length);
-  });
 }
 
 /// What is only called front, back or side is of the trunk where sleeves, collars or hoods say that it is a
@@ -180,24 +156,6 @@ void name_trunk(std::vector<PieceWords>& words) {
   if (!any({kSleeve, kCollar, kHood}) || any({kTorso, kSkirt, kLegs, kBand})) return;
   for (PieceWords& w : words)
     if (w.kind == kOther && (w.face != 0 || w.flank) && !w.limb && !w.layer) w.kind = kTorso;
-}
-
-/// Fronts that close with buttons are often rounded into the hem: no seam goes there. The run's lower end is
-/// level, the upper one upright.
-void find_open_fronts(SeamModel& m) {
-  constexpr double kLevel = 0.5, kUpright = 0.8;
-  for (SeamRun& run : m.runs) {
-    const Index other = run.mirror_panel;
-    const bool pair = other != kNone && other != run.panel && m.words[run.panel].face > 0;
-    if (!pair || run.turn.back() < kPairWeights.twin_round_deg) continue;
-    const Vec2 up = m.up[run.panel];
-    const bool down = dot(run.at.back() - run.at.front(), up) < 0;
-    const Vec2 first = normalized(run.at[1] - run.at[0]);
-    const Vec2 last = normalized(run.at[SeamRun::kSamples - 1] - run.at[SeamRun::kSamples - 2]);
-    const double lower = std::abs(dot(down ? last : first, up));
-    const double upper = std::abs(dot(down ? first : last, up));
-    run.open_front = lower < kLevel && upper > kUpright;
-  }
 }
 
 }  // namespace
@@ -251,8 +209,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   find_between(model);
   find_hands(model);
   find_caps(model);
-  for (std::size_t r = 0; r < model.runs.size(); ++r)
-    model.runs[r].side = is_side(model, static_cast<Index>(r));
+  find_sides(model);
   find_twins(model);
   match_mirrors(model);
   find_open_fronts(model);

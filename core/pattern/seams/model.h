@@ -51,9 +51,12 @@ struct SeamModel {
   /// Which way the file means left and right, told by pieces that have sides and faces: +1 where left pieces
   /// are the wearer's left ones seen from outside, -1 where it is the other way round, 0 where nothing tells.
   int handed = 0;
+  bool tailored = false;  ///< a sleeve has an under part: its upper end, in the armhole, is hollow
   bool has_band = false;  ///< a waistband: what hangs from the waist hangs from it
   /// Of each panel: it is a frill whose limb has a cuff, so that it hangs from that.
   std::vector<char> below_cuff;
+  /// Of each panel: it is one of two fronts between which the garment opens, one of its runs an open front.
+  std::vector<char> opens;
   std::vector<Vec2> up;       ///< unit vector of each panel's grain
   std::vector<char> upright;  ///< of each panel: whether `up` is likely to be up when it is worn
   std::vector<Index> twin;    ///< the panel that mirrors each, itself perhaps; kNone

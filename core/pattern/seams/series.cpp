@@ -180,6 +180,7 @@ std::optional<FoundSeams> with_series(const pattern::Pattern& pattern, const Fou
   grow(next.gluing, next.model.runs.size());
   const double share = 1.0 / static_cast<double>(seam.a.size());
   for (std::size_t k = 0; k < seam.a.size(); ++k) {
+    if (never_sewn(next.model, seam.a[k], seam.b[k])) return std::nullopt;
     std::array<double, 2> merit = pair_merit(next.model, seam.a[k], seam.b[k], false);
     for (double& x : merit) x = (x + worth) * share;
     next.gluing.sew(seam.a[k], seam.b[k], merit);

@@ -71,13 +71,6 @@ double difference(const SeamRun& a, const SeamRun& b) {
   return std::abs(a.length - b.length) / std::max(a.length, b.length);
 }
 
-bool turns_in(const SeamModel& m, const SeamRun& run) {
-  const auto in = [](double angle) {
-    return angle > kWeights.turns_in_deg && angle < 360 - kWeights.turns_in_deg / 3;
-  };
-  return in(run.angle) || in(m.runs[run.next].angle);
-}
-
 bool is_middle(const SeamModel& m, const SeamRun& run) {
   return run.straight && rise(m, run) > kWeights.twin_straight_rise;
 }

@@ -25,9 +25,6 @@ double rise(const SeamModel& m, const SeamRun& run);
 /// Share of the longer one by which the lengths differ.
 double difference(const SeamRun& a, const SeamRun& b);
 
-/// Whether the piece turns in at an end of the run, as at the corner of a square neck.
-bool turns_in(const SeamModel& m, const SeamRun& run);
-
 /// Whether the run may lie in the middle of the body: straight along the grain.
 bool is_middle(const SeamModel& m, const SeamRun& run);
 

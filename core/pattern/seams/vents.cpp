@@ -13,12 +13,16 @@ constexpr std::size_t kSamples = SeamRun::kSamples;
 
 constexpr const PairWeights& kWeights = kPairWeights;
 
-/// Whether the run is as the middle of the body is, and `other` is so as well, behind it and longer.
-bool is_before_middle(const SeamModel& m, const SeamRun& run, const SeamRun& other) {
+/// Whether the run is as the middle of the body is, and `other` runs along the grain as well, behind it and
+/// longer, straight or shaped a little as a fitted back or an elbow; `end` is where `other` comes to the step
+/// between them.
+bool is_before_line(const SeamModel& m, const SeamRun& run, const SeamRun& other, Vec2 end) {
   const Vec2 out = normalized(-perpendicular(chord(other)));
-  return is_middle(m, run) && is_middle(m, other) && run.mirror_edge != kNone && other.length > run.length &&
+  const bool line =
+      rise(m, other) > kWeights.twin_straight_rise && std::abs(other.turn.back()) < kWeights.curved_deg;
+  return is_middle(m, run) && line && run.mirror_edge != kNone && other.length > run.length &&
          faces_right(m, run) * faces_right(m, other) > 0 &&
-         dot(run.at[kSamples / 2] - other.at[kSamples / 2], out) > kWeights.vent_out_mm;
+         dot(run.at[kSamples / 2] - end, out) > kWeights.vent_out_mm;
 }
 
 /// Whether a run twice as long faces the same side of its piece, along the grain as well: beside the middle
@@ -37,15 +41,28 @@ bool is_vent(const SeamModel& m, const SeamRun& run) {
 
 bool stands_out(const SeamModel& m, const SeamRun& run) {
   const auto is_step = [&](const SeamRun& step) {
-    return step.length < run.length / 2 && rise(m, step) < kWeights.facing;
+    return step.length < kWeights.vent_step * run.length && rise(m, step) < kWeights.facing;
   };
   const SeamRun& after = m.runs[run.next];
-  if (is_step(after) && is_before_middle(m, run, m.runs[after.next])) return true;
+  if (const SeamRun& other = m.runs[after.next];
+      is_step(after) && is_before_line(m, run, other, other.at.front()))
+    return true;
   return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
     const SeamRun& step = m.runs[other.next];
     return other.panel == run.panel && &m.runs[step.next] == &run && is_step(step) &&
-           is_before_middle(m, run, other);
+           is_before_line(m, run, other, other.at.back());
   });
+}
+
+bool turns_in(const SeamModel& m, const SeamRun& run) {
+  const auto in = [](double angle) {
+    return angle > kWeights.turns_in_deg && angle < 360 - kWeights.turns_in_deg / 3;
+  };
+  const SeamRun& after = m.runs[run.next];
+  if (in(after.angle) && !stands_out(m, m.runs[after.next])) return true;
+  return in(run.angle) && std::none_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& vent) {
+           return vent.panel == run.panel && &m.runs[m.runs[vent.next].next] == &run && stands_out(m, vent);
+         });
 }
 
 double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
@@ -53,8 +70,10 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
   const bool round = run.turn.back() > kWeights.twin_round_deg;
   double merit =
       (round ? kWeights.twin_across_round : kWeights.twin_across) * (1 - along_grain * along_grain);
-  if (bend_of(run) < kWeights.straight_deg && along_grain > kWeights.twin_straight_rise && !is_vent(m, run) &&
-      !stands_out(m, run))
+  // A fitted back is shaped a little in its middle.
+  const bool back = kind == PieceKind::kTorso && m.words[run.panel].face < 0;
+  if (bend_of(run) < (back ? kWeights.curved_deg : kWeights.straight_deg) &&
+      along_grain > kWeights.twin_straight_rise && !is_vent(m, run) && !stands_out(m, run))
     merit += kind == PieceKind::kHood ? kWeights.twin_face : kWeights.twin_straight;
   if (run.turn.back() < kWeights.twin_hollow_deg && kind == PieceKind::kLegs)
     merit += kWeights.twin_crotch;
@@ -62,7 +81,17 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
     merit += kWeights.twin_hollow *
              std::clamp((kWeights.twin_upright_rise - along_grain) / kWeights.twin_upright_width, 0.0, 1.0);
   if (run.open_front) merit += kWeights.twin_round_front;
+  if (stands_out(m, run)) merit += kWeights.twin_vent;
   return merit;
+}
+
+bool stays_open(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  if (x.layer || y.layer) return false;
+  if (a.open_front || b.open_front) return true;
+  if (a.panel != b.panel) return m.opens[a.panel] && m.twin[a.panel] == b.panel;
+  const bool opens = std::any_of(m.opens.begin(), m.opens.end(), [](char any) { return any != 0; });
+  return opens && x.kind == PieceKind::kCollar;
 }
 
 }  // namespace toile::seams

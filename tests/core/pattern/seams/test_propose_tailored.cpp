@@ -1,0 +1,201 @@
+// What proposals make of tailored clothes: fronts that open, side panels, sleeves of two pieces, collars.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/pattern/curve.h"
+#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/propose.h"
+#include "core/pattern/seams/vents.h"
+#include "core/pattern/validate.h"
+#include "tests/core/pattern/garments.h"
+
+namespace toile {
+namespace {
+
+using seams::SeamProposal;
+
+/// Half a front, its middle at the left, rounded into the hem. Edges: hem, side, armhole, shoulder, gorge,
+/// top of the lapel, front.
+pattern::Panel front() {
+  return garments::piece("front", {{200, 0},
+                                   {230, 0},
+                                   {262, 430, Vec2{222, 450}},
+                                   {243, 690},
+                                   {100, 726},
+                                   {92, 668},
+                                   {4, 670, Vec2{0, 330}, Vec2{0, 0}}});
+}
+
+/// Half a back, its fitted middle at the left. Edges: hem, side, armhole, shoulder, neck, middle.
+pattern::Panel back() {
+  return garments::piece("back", {{0, 0},
+                                  {230, 0},
+                                  {250, 438, Vec2{240, 460}},
+                                  {236, 680},
+                                  {93, 714, Vec2{80, 694}},
+                                  {14, 694, Vec2{28, 420}, Vec2{26, 200}}});
+}
+
+/// Edges: hem, to the back, under the arm, to the front.
+pattern::Panel side() {
+  return garments::piece("side", {{0, 0}, {60, 0}, {58, 438, Vec2{30, 425}}, {4, 431}});
+}
+
+/// Edges: hem, elbow, cap, inner seam.
+pattern::Panel top_sleeve() {
+  return garments::piece("topsleeve", {{40, 0},
+                                       {220, 0, Vec2{262, 220}, Vec2{258, 420}},
+                                       {226, 560, Vec2{160, 760}, Vec2{60, 640}},
+                                       {0, 470}});
+}
+
+/// Edges: hem, elbow, upper end, inner seam.
+pattern::Panel under_sleeve() {
+  return garments::piece("undersleeve", {{40, 0},
+                                         {170, 0, Vec2{212, 220}, Vec2{208, 420}},
+                                         {176, 560, Vec2{120, 470}, Vec2{60, 470}},
+                                         {0, 470}});
+}
+
+pattern::Pattern with_mirror_images(const std::vector<pattern::Panel>& halves) {
+  pattern::Pattern pattern;
+  for (const pattern::Panel& half : halves) {
+    pattern.panels.push_back(half);
+    pattern.panels.push_back(garments::mirrored(half, half.id + "_mirrored"));
+  }
+  return pattern;
+}
+
+bool is_of(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& edges,
+           const std::string& piece) {
+  return std::any_of(edges.begin(), edges.end(), [&](const pattern::SeamEdge& e) {
+    return pattern.panels[e.panel].id.starts_with(piece);
+  });
+}
+
+/// Those of at least 0.8 that join something of the one piece, or its mirror image, to the other.
+std::vector<SeamProposal> sure(const pattern::Pattern& pattern, const std::vector<SeamProposal>& proposals,
+                               const std::string& x, const std::string& y) {
+  std::vector<SeamProposal> found;
+  for (const SeamProposal& p : proposals) {
+    const auto joins = [&](const std::string& a, const std::string& b) {
+      return is_of(pattern, p.seam.a, a) && is_of(pattern, p.seam.b, b);
+    };
+    if (p.confidence >= 0.8 && (joins(x, y) || joins(y, x))) found.push_back(p);
+  }
+  return found;
+}
+
+/// Names of the edges of the piece in the seam.
+std::vector<std::string> edges_of(const pattern::Pattern& pattern, const SeamProposal& p,
+                                  const std::string& piece) {
+  std::vector<std::string> names;
+  for (const std::vector<pattern::SeamEdge>* edges : {&p.seam.a, &p.seam.b})
+    for (const pattern::SeamEdge& e : *edges)
+      if (pattern.panels[e.panel].id.starts_with(piece))
+        names.push_back(pattern.panels[e.panel].outline.edges[e.edge].id);
+  return names;
+}
+
+class TailoredJacket : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    pattern_ = with_mirror_images({front(), back(), side(), top_sleeve(), under_sleeve()});
+    proposals_ = seams::propose_seams(pattern_);
+  }
+
+  inline static pattern::Pattern pattern_;
+  inline static std::vector<SeamProposal> proposals_;
+};
+
+TEST_F(TailoredJacket, IsMadeOfPiecesThatCanBeCut) { EXPECT_TRUE(pattern::validate(pattern_)); }
+
+TEST_F(TailoredJacket, LeavesItsFrontsOpen) {
+  EXPECT_EQ(sure(pattern_, proposals_, "front", "front").size(), 0u);
+  for (const SeamProposal& p : proposals_)
+    for (const std::string& edge : edges_of(pattern_, p, "front"))
+      EXPECT_NE(edge, "e6") << "the front edge is sewn at " << p.confidence;
+}
+
+TEST_F(TailoredJacket, PutsASidePanelBetweenFrontAndBack) {
+  EXPECT_EQ(sure(pattern_, proposals_, "front", "side").size(), 2u);
+  EXPECT_EQ(sure(pattern_, proposals_, "side", "back").size(), 2u);
+  EXPECT_EQ(sure(pattern_, proposals_, "side", "side").size(), 0u);
+}
+
+TEST_F(TailoredJacket, SewsTheTwoPiecesOfASleeveToEachOtherAndNotToTheOtherSleeve) {
+  for (const char* elbow_or_inner : {"e1", "e3"}) {
+    int sewn = 0;
+    for (const SeamProposal& p : sure(pattern_, proposals_, "topsleeve", "undersleeve"))
+      sewn += edges_of(pattern_, p, "topsleeve") == std::vector<std::string>{elbow_or_inner} &&
+              edges_of(pattern_, p, "undersleeve") == std::vector<std::string>{elbow_or_inner};
+    EXPECT_EQ(sewn, 2) << elbow_or_inner;
+  }
+  EXPECT_EQ(sure(pattern_, proposals_, "topsleeve", "topsleeve").size(), 0u);
+  std::vector<std::string> mates(pattern_.panels.size());
+  for (const SeamProposal& p : sure(pattern_, proposals_, "topsleeve", "undersleeve")) {
+    const bool first = is_of(pattern_, p.seam.a, "topsleeve");
+    const Index top = (first ? p.seam.a : p.seam.b)[0].panel, under = (first ? p.seam.b : p.seam.a)[0].panel;
+    std::string& mate = mates[static_cast<std::size_t>(top)];
+    if (mate.empty()) mate = pattern_.panels[under].id;
+    EXPECT_EQ(mate, pattern_.panels[under].id) << "left and right mixed";
+  }
+}
+
+TEST_F(TailoredJacket, EasesASleeveIntoItsArmholeAsAWhole) {
+  for (const SeamProposal& p : proposals_) {
+    const bool at_body = is_of(pattern_, p.seam.a, "front") || is_of(pattern_, p.seam.b, "front") ||
+                         is_of(pattern_, p.seam.a, "back") || is_of(pattern_, p.seam.b, "back");
+    const std::vector<std::string> top = edges_of(pattern_, p, "topsleeve");
+    if (!at_body || top.empty() || p.confidence < 0.5) continue;
+    EXPECT_EQ(top, std::vector<std::string>{"e2"}) << "the cap alone";
+    EXPECT_LT(std::abs(p.length_a - p.length_b), 0.08 * p.length_a) << "nothing is gathered";
+  }
+}
+
+TEST(Tailored, ACollarGoesToANeckAndToNoShoulderOrArmhole) {
+  pattern::Pattern pattern = with_mirror_images({front(), back()});
+  const double neck = 2 * (garments::length_of(back(), 4) + garments::length_of(front(), 4));
+  pattern.panels.push_back(garments::piece(
+      "collar", {{0, 0, Vec2{neck / 2, 12}}, {neck, 0}, {neck + 8, 70, Vec2{neck / 2, 84}}, {-8, 70}}));
+  for (const SeamProposal& p : seams::propose_seams(pattern)) {
+    if (edges_of(pattern, p, "collar").empty() || p.confidence < 0.5) continue;
+    for (const std::string& edge : edges_of(pattern, p, "front"))
+      EXPECT_TRUE(edge == "e4" || edge == "e5") << edge;
+    for (const std::string& edge : edges_of(pattern, p, "back")) EXPECT_EQ(edge, "e4");
+    EXPECT_LT(edges_of(pattern, p, "collar").size(), 2u) << "above fronts that open it is no ring";
+  }
+}
+
+TEST(Tailored, TheCapOfAnUndersleeveIsItsHollowUpperEnd) {
+  const seams::SeamModel model = seams::make_seam_model({{top_sleeve(), under_sleeve()}, {}});
+  EXPECT_TRUE(model.tailored);
+  for (const seams::SeamRun& run : model.runs)
+    EXPECT_EQ(run.cap, run.edge == 2) << run.panel << ' ' << run.edge;
+  const seams::SeamModel one = seams::make_seam_model({{top_sleeve()}, {}});
+  EXPECT_FALSE(one.tailored) << "the cap of a sleeve in one piece may be gathered";
+}
+
+TEST(Tailored, ASeamEndsWhereAVentGoesOutFromIt) {
+  // The vent of a sleeve: up its edge, in by a step, on along the elbow.
+  const pattern::Panel sleeve = garments::piece(
+      "sleeve",
+      {{0, 0}, {200, 0}, {202, 90}, {160, 110, Vec2{190, 300}}, {180, 480, Vec2{100, 700}}, {0, 420}});
+  const seams::SeamModel model =
+      seams::make_seam_model({{sleeve, garments::mirrored(sleeve, "sleeve_mirrored")}, {}});
+  EXPECT_TRUE(seams::stands_out(model, model.runs[1]));
+  EXPECT_FALSE(seams::stands_out(model, model.runs[3]));
+  EXPECT_FALSE(seams::turns_in(model, model.runs[3])) << "the corner is the vent's";
+  const pattern::Panel square =
+      garments::piece("front_l", {{0, 0}, {250, 0}, {250, 400}, {120, 560}, {90, 560}, {88, 300}, {0, 300}});
+  const seams::SeamModel neck = seams::make_seam_model({{square}, {}});
+  EXPECT_TRUE(seams::turns_in(neck, neck.runs[5])) << "the corner of a square neck";
+}
+
+}  // namespace
+}  // namespace toile
