@@ -42,9 +42,10 @@ Serving::Serving(const std::filesystem::path& data, const std::vector<std::strin
   posix_spawn_file_actions_destroy(&files);
   for (int i = 0; i < 3000 && port_ == 0; ++i) {
     const std::string text = said();
-    const std::size_t at = text.find("://127.0.0.1:");
+    const std::size_t at = text.find("serves on http");
     if (at != std::string::npos && text.find('\n', at) != std::string::npos) {
-      port_ = std::stoi(text.substr(text.find(':', at + 3) + 1));
+      const std::size_t host = text.find("://", at) + 3;
+      port_ = std::stoi(text.substr(text.find(':', host) + 1));
     } else if (pid_ < 0 || waitpid(pid_, nullptr, WNOHANG) != 0) {
       pid_ = -1;
       return;

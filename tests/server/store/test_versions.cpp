@@ -96,7 +96,8 @@ TEST(StoreVersions, RefuseANameThatIsTakenAndARevisionThatIsOld) {
 
 TEST(StoreVersions, AreBounded) {
   VersionedStore at;
-  for (int i = 0; i < store::Versions::kMostVersions; ++i) ASSERT_TRUE(at.name("version " + std::to_string(i)));
+  for (int i = 0; i < store::Versions::kMostVersions; ++i)
+    ASSERT_TRUE(at.name("version " + std::to_string(i)));
   EXPECT_EQ(code_of(at.name("one more")), "versions.too_many");
   ASSERT_TRUE(at.versions().remove_version(kMe, at.id, at.told().back().version.id));
   EXPECT_TRUE(at.name("one more"));
