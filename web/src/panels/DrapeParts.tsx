@@ -1,7 +1,7 @@
 // Parts of what came of a drape, for its owner and for who looks at it by a link.
 
-import { useEffect, useRef } from 'preact/hooks';
 import { Icon } from '../controls/Icon';
+import { useModal } from '../controls/Sheet';
 import type { Download, ReportLine } from '../state/report';
 import { bytes } from '../state/words';
 import { t } from '../texts/language';
@@ -76,12 +76,11 @@ export function Lines({ lines }: { lines: readonly ReportLine[] }) {
 }
 
 export function Enlarged({ url, name, close }: { url: string; name: string; close: () => void }) {
-  const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => dialog.current?.showModal(), []);
+  const { leave, ...modal } = useModal(close);
   return (
-    <dialog class="enlarged" ref={dialog} onClose={close} onClick={close} aria-label={t.report.still(name)}>
+    <dialog class="enlarged" {...modal} onClick={leave} aria-label={t.report.still(name)}>
       <img src={url} alt={t.report.viewOf(name)} />
-      <button class="tool" aria-label={t.common.close} onClick={close}>
+      <button class="tool" aria-label={t.common.close} onClick={leave}>
         <Icon name="cross" />
       </button>
     </dialog>

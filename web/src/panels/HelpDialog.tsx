@@ -1,8 +1,7 @@
-import { useEffect, useRef } from 'preact/hooks';
 import { useCommands } from '../commands/context';
 import { bindings, shownKey } from '../tools/keys';
 import { useAppState } from '../state/context';
-import { Icon } from '../controls/Icon';
+import { Sheet } from '../controls/Sheet';
 import { t } from '../texts/language';
 
 /** The keys, from the table that handles them. */
@@ -22,18 +21,9 @@ const mouse = (): [string, string][] => [
 ];
 
 function Dialog({ close }: { close: () => void }) {
-  const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => dialog.current?.showModal(), []);
   const groups = [...new Set(bindings.map((binding) => binding.group))];
   return (
-    <dialog class="sheet help" ref={dialog} onClose={close} aria-labelledby="help-title">
-      <header>
-        <h2 id="help-title">{t.keys.title}</h2>
-        <TourButton />
-        <button class="tool flat" aria-label={t.common.close} onClick={() => dialog.current?.close()}>
-          <Icon name="cross" />
-        </button>
-      </header>
+    <Sheet class="help" id="help-title" title={t.keys.title} beside={<TourButton />} close={close}>
       <div class="sheet-body keys" tabIndex={0}>
         {groups.map((group) => (
           <section key={group}>
@@ -66,7 +56,7 @@ function Dialog({ close }: { close: () => void }) {
           </dl>
         </section>
       </div>
-    </dialog>
+    </Sheet>
   );
 }
 

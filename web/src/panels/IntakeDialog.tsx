@@ -1,7 +1,6 @@
 // Files become a project: shows what was given, what is missing and the way on.
 
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
 import { useCommands } from '../commands/context';
 import type { Intake } from '../state/AppState';
 import { useAppState } from '../state/context';
@@ -10,6 +9,7 @@ import { valueOf } from '../state/AppState';
 import { documentOf, type ImportDraft } from '../state/importDraft';
 import { bytes } from '../state/words';
 import { Icon } from '../controls/Icon';
+import { Sheet } from '../controls/Sheet';
 import { Dropzone } from './Dropzone';
 import { ImportPanel, type PreviewSlot } from './ImportPanel';
 import { t } from '../texts/language';
@@ -20,35 +20,26 @@ export function IntakeDialog({ Preview }: PreviewSlot) {
   return state.intake.value ? <Dialog intake={state.intake.value} Preview={Preview} /> : null;
 }
 
-
-
 function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
   const commands = useCommands();
-  const dialog = useRef<HTMLDialogElement>(null);
   const warned = useSignal(false);
-  useEffect(() => dialog.current?.showModal(), []);
   const state = useAppState();
   const { plan, error } = intake;
   const draft = state.importing.value;
+  // What was decided of a file would be lost: the first Escape only says so.
+  const mayLeave = (): boolean => {
+    const may = !draft || warned.value;
+    warned.value = !may;
+    return may;
+  };
   return (
-    <dialog
-      class={`sheet intake${draft ? ' wide' : ''}`}
-      ref={dialog}
-      onClose={() => commands.closeIntake()}
-      onCancel={(event) => {
-        // What was decided of a file would be lost: the first Escape only says so.
-        if (!draft || warned.value) return;
-        event.preventDefault();
-        warned.value = true;
-      }}
-      aria-labelledby="intake-title"
+    <Sheet
+      class={`intake${draft ? ' wide' : ''}`}
+      id="intake-title"
+      title={draft ? t.intake.newFrom(draft.source.file.name) : t.common.newProject}
+      close={() => commands.closeIntake()}
+      mayLeave={mayLeave}
     >
-      <header>
-        <h2 id="intake-title">{draft ? t.intake.newFrom(draft.source.file.name) : t.common.newProject}</h2>
-        <button class="tool flat" aria-label={t.common.close} onClick={() => dialog.current?.close()}>
-          <Icon name="cross" />
-        </button>
-      </header>
       <div class="sheet-body">
         <Dropzone title={intake.files.length === 0 ? t.intake.dropHere : t.intake.addMore} focused />
         <Given intake={intake} />
@@ -57,7 +48,7 @@ function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
         {error && <Problem text={error.detail} code={error.code} where={error.where} />}
       </div>
       <Makers intake={intake} draft={draft} hint={warned.value ? t.intake.leaving : ''} />
-    </dialog>
+    </Sheet>
   );
 }
 

@@ -1,9 +1,10 @@
 // Asks who it is, where the service lets in only who is known.
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import type { Api } from '../api/Api';
 import type { ApiError } from '../api/http';
 import { asApiError } from '../commands/notices';
+import { useModal } from '../controls/Sheet';
 import { useAppState } from '../state/context';
 import { t } from '../texts/language';
 import { Told } from '../texts/Message';
@@ -16,11 +17,11 @@ export function LogIn({ doors, entered }: { doors: Doors; entered: () => void })
 }
 
 function Dialog({ doors, entered }: { doors: Doors; entered: () => void }) {
-  const dialog = useRef<HTMLDialogElement>(null);
+  // Nobody leaves it but by saying who it is.
+  const { ref, onCancel } = useModal(() => undefined, () => false);
   const [byToken, setByToken] = useState(false);
   const [busy, setBusy] = useState(false);
   const [error, setError] = useState<ApiError | null>(null);
-  useEffect(() => dialog.current?.showModal(), []);
   async function enter(event: Event): Promise<void> {
     event.preventDefault();
     const said = new FormData(event.currentTarget as HTMLFormElement);
@@ -40,7 +41,7 @@ function Dialog({ doors, entered }: { doors: Doors; entered: () => void }) {
     setBusy(false);
   }
   return (
-    <dialog class="sheet login" ref={dialog} onCancel={(event) => event.preventDefault()} aria-labelledby="login-title">
+    <dialog class="sheet login" ref={ref} onCancel={onCancel} aria-labelledby="login-title">
       <header>
         <h2 id="login-title">{t.frame.logIn}</h2>
       </header>

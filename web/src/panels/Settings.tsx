@@ -1,8 +1,8 @@
 // How the page speaks to its reader: language and units. The browser keeps both.
 
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
 import { Icon } from '../controls/Icon';
+import { Sheet } from '../controls/Sheet';
 import type { Language } from '../texts/grammar';
 import { chooseLanguage, language, languageNames, t } from '../texts/language';
 import { chooseUnit, lengthUnits, unit } from '../texts/units';
@@ -27,21 +27,13 @@ export function Settings() {
 }
 
 function Dialog({ close }: { close: () => void }) {
-  const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => dialog.current?.showModal(), []);
   return (
-    <dialog class="sheet settings" ref={dialog} onClose={close} aria-labelledby="settings-title">
-      <header>
-        <h2 id="settings-title">{t.frame.settings.title}</h2>
-        <button class="tool flat" aria-label={t.common.close} onClick={() => dialog.current?.close()}>
-          <Icon name="cross" />
-        </button>
-      </header>
+    <Sheet class="settings" id="settings-title" title={t.frame.settings.title} close={close}>
       <div class="sheet-body">
         <Languages />
         <Units />
       </div>
-    </dialog>
+    </Sheet>
   );
 }
 

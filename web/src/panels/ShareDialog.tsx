@@ -6,6 +6,7 @@ import type { LinkApi } from '../api/links';
 import type { Job, ShareLink, Taking } from '../api/types';
 import { asApiError } from '../commands/notices';
 import { Icon } from '../controls/Icon';
+import { Sheet } from '../controls/Sheet';
 import { useAppState } from '../state/context';
 import { isActive } from '../state/jobs';
 import type { Texts } from '../texts/en';
@@ -30,11 +31,9 @@ const kTimes: [days: number | null, time: keyof Texts['share']['times']][] = [
 const kUsualDays = 30;
 
 function Dialog({ job, api, close }: { job: Job; api: LinkApi; close: () => void }) {
-  const dialog = useRef<HTMLDialogElement>(null);
   const [links, setLinks] = useState<ShareLink[] | null>(null);
   const [fresh, setFresh] = useState('');
   const [error, setError] = useState<ApiError | null>(null);
-  useEffect(() => dialog.current?.showModal(), []);
   /** What is asked of the service, and its list afterwards. */
   async function ask(what: () => Promise<void>): Promise<void> {
     setError(null);
@@ -53,13 +52,7 @@ function Dialog({ job, api, close }: { job: Job; api: LinkApi; close: () => void
     });
   const revoke = (link: ShareLink): Promise<void> => ask(() => api.revoke(link.id));
   return (
-    <dialog class="sheet share" ref={dialog} onClose={close} aria-labelledby="share-title">
-      <header>
-        <h2 id="share-title">{t.share.title(job.name)}</h2>
-        <button class="tool flat" aria-label={t.common.close} onClick={() => dialog.current?.close()}>
-          <Icon name="cross" />
-        </button>
-      </header>
+    <Sheet class="share" id="share-title" title={t.share.title(job.name)} close={close}>
       <div class="sheet-body">
         <p class="share-lead">
           {isActive(job.state) ? t.share.leadLive : t.share.lead}
@@ -72,7 +65,7 @@ function Dialog({ job, api, close }: { job: Job; api: LinkApi; close: () => void
         )}
         {links !== null && links.length > 0 && <Given links={links} revoke={(link) => void revoke(link)} />}
       </div>
-    </dialog>
+    </Sheet>
   );
 }
 

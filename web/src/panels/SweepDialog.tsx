@@ -1,10 +1,11 @@
 // Who is to wear the shown garment, and what it is to be cut of: a sweep over both.
 
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import type { Fabric } from '../api/types';
 import { useCommands } from '../commands/context';
 import { Icon } from '../controls/Icon';
+import { Sheet } from '../controls/Sheet';
 import { useAppState } from '../state/context';
 import { presetGroups, presetTitle } from '../state/dressing';
 import { fabricsFound, makeOf } from '../state/fabrics';
@@ -23,11 +24,9 @@ const kOwn = '';
 function Dialog() {
   const state = useAppState();
   const { sweeps, pattern, dressing } = useCommands();
-  const dialog = useRef<HTMLDialogElement>(null);
   const bodies = useSignal<readonly string[]>([kOwn]);
   const fabrics = useSignal<readonly string[]>([kOwn]);
   useEffect(() => {
-    dialog.current?.showModal();
     void pattern.loadFabrics();
     void dressing.loadTables();
   }, [pattern, dressing]);
@@ -37,19 +36,13 @@ function Dialog() {
     void sweeps.begin(bodies.value, fabrics.value);
   };
   return (
-    <dialog
-      class="sheet wide sweep-choice"
-      ref={dialog}
-      onClose={() => (state.sweeps.choosing.value = false)}
-      aria-labelledby="sweep-title"
+    <Sheet
+      class="wide sweep-choice"
+      id="sweep-title"
+      title={t.sweep.title(state.project.value?.name ?? '')}
+      close={() => (state.sweeps.choosing.value = false)}
     >
       <form onSubmit={submit}>
-        <header>
-          <h2 id="sweep-title">{t.sweep.title(state.project.value?.name ?? '')}</h2>
-          <button type="button" class="tool flat" aria-label={t.common.close} onClick={() => dialog.current?.close()}>
-            <Icon name="cross" />
-          </button>
-        </header>
         <div class="sweep-sides">
           <Bodies chosen={bodies.value} choose={(names) => (bodies.value = names)} />
           <Fabrics chosen={fabrics.value} choose={(names) => (fabrics.value = names)} />
@@ -63,7 +56,7 @@ function Dialog() {
           </button>
         </footer>
       </form>
-    </dialog>
+    </Sheet>
   );
 }
 

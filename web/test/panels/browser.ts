@@ -33,7 +33,7 @@ Object.assign(HTMLDialogElement.prototype, {
   },
   close(this: HTMLDialogElement) {
     this.open = false;
-    this.dispatchEvent(new Event('close'));
+    setTimeout(() => this.dispatchEvent(new Event('close'))); // browsers tell it in a later task, too
   },
 });
 Blob.prototype.text = function text(this: Blob): Promise<string> {

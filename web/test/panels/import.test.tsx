@@ -61,7 +61,9 @@ describe('the dialog of a new project', () => {
     const dialog = screen.getByRole('dialog');
     expect(fireEvent(dialog, new Event('cancel', { cancelable: true }))).toBe(false);
     expect(screen.getByText(/Escape once more/)).toBeTruthy();
-    expect(fireEvent(dialog, new Event('cancel', { cancelable: true }))).toBe(true);
+    expect(page.asked()).toEqual([]);
+    fireEvent(dialog, new Event('cancel', { cancelable: true }));
+    expect(page.asked()).toEqual([['closeIntake']]);
   });
 
   it('asks for files, and makes nothing of none', () => {
