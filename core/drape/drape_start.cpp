@@ -125,10 +125,11 @@ bool lies_beside(const DrapeInput& input, const DrapeStart& start) {
   return 2 * beside > start.placed.positions.size();
 }
 
-/// What came of two starts, of which the first was not certified: the second, if that was or tells no less of
-/// what kept it from being, or came nearer.
+/// What came of two starts, of which the first was not certified, or is strained: the second, if that is no
+/// worse, or tells no less of what kept it from being certified, or came nearer.
 PutOnTries nearer_of(PutOnTries first, PutOnTries second) {
   first.effort = second.effort;
+  if (first.on && (!second.on || second.strained)) return first;
   first.gave_up = second.gave_up = first.gave_up || second.gave_up;
   if (second.on || first.at_fault.empty()) return second;
   return second.at_fault.empty() || first.shortfall < second.shortfall ? first : second;
@@ -179,6 +180,7 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
     tries.gave_up = tried.gave_up;
     if (tried.on)
       tries.on = PutOn{std::move(tried.on->positions), before + static_cast<int>(tried.on->number) + 1};
+    tries.strained = tried.on && !tried.on->certificate.holds();
     tries.nearest = before + static_cast<int>(tried.nearest) + 1;
     tries.shortfall = tried.shortfall;
     tries.at_fault = std::move(tried.at_fault);
@@ -197,11 +199,11 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
   if (drawn) arrange_anew();
   if (anew && !alike) {
     tries = from(*anew, ways, 0, effort);
-    if (tries.on || context.cancelled()) return tries;
+    if (tries.well_on() || context.cancelled()) return tries;
     return nearer_of(std::move(tries), from(input.placements, 0, 0, effort));
   }
   if (after < ways) tries = from(input.placements, 0, passed_over(0), effort.half());
-  if (tries.on || after >= 2 * ways || context.cancelled()) return tries;
+  if (tries.well_on() || after >= 2 * ways || context.cancelled()) return tries;
   if (!drawn) arrange_anew();
   if (!anew || (alike && !tries.gave_up)) return tries;
   if (!alike) return nearer_of(std::move(tries), from(*anew, ways, passed_over(ways), effort.half()));

@@ -32,6 +32,9 @@ struct PutOnTries {
   std::vector<Index> at_fault;    ///< and the panels that kept it from being certified, rising
   dressing::Effort effort;        ///< what is left of it
   bool gave_up = false;           ///< there was more to try, but the effort was spent
+  bool strained = false;          ///< what is on is stretched far beyond its size
+
+  bool well_on() const { return on && !strained; }
 };
 
 /// What a drape begins with.

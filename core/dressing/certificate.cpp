@@ -13,7 +13,8 @@ namespace {
 
 /// Rings under this girth are slits, darts' ends and holes, around which nothing need go.
 constexpr double kLeastRing = 0.15;    // m
-constexpr double kMostStretch = 0.35;  // p99 that the drape can still take back
+constexpr double kMostStretch = 0.35;  // p99 that the drape takes back at once
+constexpr double kMostStrain = 1;      // p99 that it takes back in time, where nothing is caught
 constexpr double kNearBody = 0.06;     // m
 constexpr double kMostlyOut = 0.6;
 constexpr double kOffGround = 2e-3;  // m
@@ -64,10 +65,12 @@ int Certificate::wrong_rings() const {
       std::count_if(rings.begin(), rings.end(), [](const WornRing& r) { return !r.right; }));
 }
 
-bool Certificate::holds() const {
-  return crossings.none() && wrong_rings() == 0 && stretch_p99 < kMostStretch && faces_out > kMostlyOut &&
+bool Certificate::holds_strained() const {
+  return crossings.none() && wrong_rings() == 0 && stretch_p99 < kMostStrain && faces_out > kMostlyOut &&
          lowest > kOffGround && gap >= kLeastGap;
 }
+
+bool Certificate::holds() const { return holds_strained() && stretch_p99 < kMostStretch; }
 
 std::vector<WornRing> worn_rings(const sewing::GarmentMesh& garment, std::span<const Vec3> x,
                                  const Skeleton& skeleton) {

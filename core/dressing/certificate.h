@@ -31,6 +31,9 @@ struct Certificate {
   double lowest = 1e9;  ///< m above the ground
 
   int wrong_rings() const;
+  /// The garment is on, though its cloth may be stretched far: tight pieces, and threads that ended late.
+  bool holds_strained() const;
+  /// It is on, and near its own size.
   bool holds() const;
 };
 

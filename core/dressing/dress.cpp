@@ -309,6 +309,8 @@ const std::vector<DressingWay>& dressing_ways() {
                                               {{0.12, 0, true, false, Wide::kFolded}, 0.5, 0.3, 0.3},
                                               {{0.12, 0.05, false, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
                                               {{0.07, 0.07, true, true, Wide::kSmaller}, 0.5, 0.3, 0.3},
+                                              {{0, 0, true, false, Wide::kSmaller}, 0.3, 0.9, 0.3},
+                                              {{0.05, 0.05, true, false, Wide::kSmaller}, 0.3, 0.3, 0.3},
                                               {{0.05, 0.05, true, false, Wide::kSmaller}, 0.5, 0.9, 0.03},
                                               {{0, 0.12, true, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
                                               {{0, 0, true, false, Wide::kSmaller}, 0.5, 0.9, 0.03},

@@ -72,6 +72,20 @@ bool tried_before(const sewing::Assembly& assembly, const Wearer& wearer, std::s
   return false;
 }
 
+/// What was certified by the coarse mesh on the fine one; nothing where it is not on there. How squeezed it
+/// is was seen by the coarse mesh.
+std::optional<Dressed> on_fine(const sewing::Assembly& fine, const sewing::Assembly& coarse,
+                               const Wearer& wearer, Dressed dressed) {
+  const double squeezed = dressed.certificate.shrink_p99;
+  if (&fine != &coarse) {
+    dressed.positions = carried_over(fine.garment, coarse.garment, dressed.positions);
+    finish(fine, wearer, dressed);
+  }
+  if (!dressed.certificate.holds_strained()) return std::nullopt;
+  dressed.certificate.shrink_p99 = squeezed;
+  return dressed;
+}
+
 }  // namespace
 
 std::vector<Vec3> carried_over(const sewing::GarmentMesh& fine, const sewing::GarmentMesh& coarse,
@@ -104,7 +118,7 @@ TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, con
                const RunContext& context, std::size_t first, Effort effort) {
   TriedOn tried;
   tried.effort = effort;
-  std::optional<Dressed> nearest;
+  std::optional<Dressed> nearest, strained;
   Effort better;  // for one less squeezed, once one is certified: as much as it took to come there
   for (std::size_t number = first; number < dressing_ways().size(); ++number) {
     if (context.cancelled()) return {};
@@ -123,21 +137,21 @@ TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, con
     }
     dressed.number = number;
     if (!dressed.certificate.holds()) {
+      if (dressed.certificate.holds_strained() &&
+          (!strained || dressed.certificate.stretch_p99 < strained->certificate.stretch_p99))
+        strained = dressed;
       if (!nearest || shortfall_of(dressed.certificate) < shortfall_of(nearest->certificate))
         nearest = std::move(dressed);
       continue;
     }
-    const double squeezed = dressed.certificate.shrink_p99;
     if (tried.on && shortcomings_of(dressed) >= shortcomings_of(*tried.on)) continue;
-    if (&fine != &coarse) {
-      dressed.positions = carried_over(fine.garment, coarse.garment, dressed.positions);
-      finish(fine, wearer, dressed);
-    }
-    if (!dressed.certificate.holds()) continue;
-    tried.on = std::move(dressed);
-    tried.on->certificate.shrink_p99 = squeezed;
-    if (squeezed < kSqueezed && tried.on->bared_shoulders == 0) break;
+    std::optional<Dressed> on = on_fine(fine, coarse, wearer, std::move(dressed));
+    if (!on || !on->certificate.holds()) continue;
+    const bool good = on->certificate.shrink_p99 < kSqueezed && on->bared_shoulders == 0;
+    tried.on = std::move(on);
+    if (good) break;
   }
+  if (!tried.on && strained) tried.on = on_fine(fine, coarse, wearer, std::move(*strained));
   if (tried.on || !nearest) return tried;
   tried.nearest = nearest->number;
   tried.shortfall = shortfall_of(nearest->certificate);

@@ -13,12 +13,12 @@
 namespace toile {
 namespace {
 
-/// A boxy top: front and back with straps, sewn at sides and shoulders; mm.
-pattern::Pattern top() {
+/// A boxy top: front and back with straps, sewn at sides and shoulders; mm. `share` of its widths.
+pattern::Pattern top(double share = 1) {
   pattern::Pattern p;
-  const std::vector<Vec2> corners{{-260, 0},   {260, 0},    {260, 280},  {190, 420},
-                                  {190, 500},  {110, 500},  {110, 380},  {-110, 380},
-                                  {-110, 500}, {-190, 500}, {-190, 420}, {-260, 280}};
+  std::vector<Vec2> corners{{-260, 0},  {260, 0},    {260, 280},  {190, 420},  {190, 500},  {110, 500},
+                            {110, 380}, {-110, 380}, {-110, 500}, {-190, 500}, {-190, 420}, {-260, 280}};
+  for (Vec2& c : corners) c.x *= share;
   p.panels = {test::polygon("front", corners), test::polygon("back", corners)};
   p.panels[1] = test::turned_over("back", corners);
   const auto other = [&](Index e) { return static_cast<Index>(corners.size()) - 1 - e; };
@@ -77,6 +77,26 @@ pattern::Pattern narrow() {
   p.panels = {test::polygon("front", corners), test::polygon("back", corners)};
   p.seams = {test::seam("left", {{0, 1}}, {{1, 3}}), test::seam("right", {{0, 3}}, {{1, 1}})};
   return p;
+}
+
+TEST(PutOn, ATopThatIsFarTooSmallIsOnAndStrained) {
+  const dressing::Wearer wearer(test::person());
+  const sewing::Assembly assembly = placed(top(0.6), 0.022, top_height());
+  const auto on = dressing::put_on(assembly, assembly, wearer, {}).on;
+  ASSERT_TRUE(on.has_value());
+  EXPECT_TRUE(on->certificate.holds_strained());
+  EXPECT_FALSE(on->certificate.holds());
+  EXPECT_TRUE(on->certificate.crossings.none());
+}
+
+TEST(Certificate, StretchAlonePartsWhatIsOnFromWhatIsStrained) {
+  dressing::Certificate c;
+  EXPECT_TRUE(c.holds());
+  c.stretch_p99 = 0.6;
+  EXPECT_FALSE(c.holds());
+  EXPECT_TRUE(c.holds_strained());
+  c.stretch_p99 = 1.5;
+  EXPECT_FALSE(c.holds_strained());
 }
 
 TEST(PutOn, WhatCannotGoAroundTheBodyIsNotCertified) {
