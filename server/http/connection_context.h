@@ -29,10 +29,15 @@ class WorkPools {
   explicit WorkPools(const ServerSettings& settings)
       : store_(threads(settings.light_threads)),
         document_(threads(settings.light_threads)),
+        submit_(threads(settings.submit_threads)),
         heavy_(threads(settings.heavy_threads), settings.most_waiting),
         upload_(threads(settings.heavy_threads), settings.most_waiting) {}
   boost::asio::thread_pool& store() { return store_; }
-  boost::asio::thread_pool& document() { return document_; }
+  /// For work that costs nobody a turn. REQUIRES that fair() has none for it.
+  boost::asio::thread_pool& light(Work work) {
+    if (work == Work::kSubmit) return submit_;
+    return work == Work::kDocument ? document_ : store_;
+  }
   /// For work that costs whoever asked for it; null for any other.
   FairPool* fair(Work work) {
     if (work == Work::kHeavy) return &heavy_;
@@ -41,13 +46,14 @@ class WorkPools {
   void join() {
     store_.join();
     document_.join();
+    submit_.join();
     heavy_.join();
     upload_.join();
   }
 
  private:
   static std::size_t threads(int count) { return static_cast<std::size_t>(count); }
-  boost::asio::thread_pool store_, document_;
+  boost::asio::thread_pool store_, document_, submit_;
   FairPool heavy_, upload_;
 };
 

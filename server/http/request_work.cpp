@@ -78,10 +78,7 @@ asio::awaitable<HttpResponse> RequestWork::have_done(const Route& route, const H
                                                      const store::RequestContext& asked) {
   const auto work = [&route, &request, &asked] { return work_on(route, request, asked); };
   FairPool* const fair = context_.pools.fair(route.work);
-  if (fair == nullptr) {
-    auto& pool = route.work == Work::kDocument ? context_.pools.document() : context_.pools.store();
-    co_return co_await ws::on_pool(pool, work);
-  }
+  if (fair == nullptr) co_return co_await ws::on_pool(context_.pools.light(route.work), work);
   std::optional<HttpResponse> response;
   const bool taken = co_await on_fair_pool(*fair, asked.owner, [&] { response = work(); });
   if (taken) co_return std::move(*response);

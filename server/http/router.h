@@ -27,7 +27,8 @@ enum class BodyKind {
 /// What a handler does. Each kind has threads of its own, so that none waits for one that takes longer.
 enum class Work {
   kStore,     ///< asks the store: milliseconds
-  kDocument,  ///< reads a document and its cloth: submitting, editing, showing pieces
+  kDocument,  ///< reads a document and its cloth: editing, showing pieces
+  kSubmit,    ///< the same, and waits for the disk with others who do
   kHeavy,     ///< bodies, starts, arrangements: seconds
   kUpload,    ///< reads a stranger's file
 };

@@ -21,8 +21,9 @@ struct ServerSettings {
   int port = 8460;            ///< 0: any that is free
   std::filesystem::path web;  ///< folder of the built page; need not be there
   int io_threads = 2;
-  int light_threads = 2;  ///< for handlers that ask the store, and as many for those that read documents
-  int heavy_threads = 2;  ///< for those that read bodies and starts, and as many for uploads
+  int light_threads = 2;    ///< for handlers that ask the store, and as many for those that read documents
+  int submit_threads = 16;  ///< for those that submit: they wait for the disk, and those who wait share it
+  int heavy_threads = 2;    ///< for those that read bodies and starts, and as many for uploads
 
   std::chrono::milliseconds idle_within{60'000};        ///< from one request to the next
   std::chrono::milliseconds header_within{3'000};       ///< from the first byte of a request

@@ -131,13 +131,15 @@ Status SqlDatabase::run_script(const char* sql) {
   return failure(reason);
 }
 
+bool SqlDatabase::in_transaction() const { return sqlite3_get_autocommit(database_.get()) == 0; }
+
 Result<SqlTransaction> SqlTransaction::begin(SqlDatabase& database) {
   TRY(database.run_script("BEGIN IMMEDIATE"));
   return SqlTransaction(database);
 }
 
 SqlTransaction::~SqlTransaction() {
-  if (database_ == nullptr || sqlite3_get_autocommit(database_->database_.get()) != 0) return;
+  if (database_ == nullptr || !database_->in_transaction()) return;
   sqlite3_exec(database_->database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
 }
 

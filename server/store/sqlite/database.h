@@ -51,6 +51,8 @@ class SqlDatabase {
   Result<int> run(std::string_view sql, std::initializer_list<SqlValue> values = {});
   /// Runs several statements without values.
   Status run_script(const char* sql);
+  /// SQLite ends one by itself where the disk is full, say.
+  bool in_transaction() const;
 
  private:
   friend class SqlTransaction;

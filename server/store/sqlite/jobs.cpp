@@ -38,6 +38,7 @@ Result<std::optional<store::JobRow>> SqliteStore::find_job_of_key(const store::O
 Result<std::optional<store::JobRow>> SqliteStore::job_of_key(const store::RequestContext& context,
                                                              const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
+  if (idempotency_key.empty()) return std::optional<store::JobRow>();
   const std::lock_guard hold(mutex_);
   return find_job_of_key(context.owner, idempotency_key);
 }
@@ -79,26 +80,34 @@ Status SqliteStore::insert_job(const store::OwnerId& owner, const store::JobRow&
   return insert_tags(owner, row.id, row.tags);
 }
 
+/// The job that was made with the key, of the same project.
+Result<std::optional<store::JobRow>> SqliteStore::find_job_made(const store::OwnerId& owner,
+                                                                const std::string& project_id,
+                                                                const std::string& key) {
+  std::optional<store::JobRow> made = TRY(find_job_of_key(owner, key));
+  if (!made || made->project_id == project_id) return made;
+  return Error{
+      "store.idempotency_mismatch",
+      "this idempotency key was used for project " + made->project_id + "; use a new one for another drape",
+      "", ErrorKind::kConflict};
+}
+
+/// Together with what others submit at the same time: each by itself would wait for the disk.
 Result<store::Made<store::JobRow>> SqliteStore::create_job(const store::RequestContext& context,
                                                            store::JobRow row,
                                                            const std::string& idempotency_key) {
   TRY(check_key(idempotency_key));
-  const std::lock_guard hold(mutex_);
-  SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
-  std::optional<store::JobRow> made = TRY(find_job_of_key(context.owner, idempotency_key));
-  if (made) {
-    if (made->project_id == row.project_id) return store::Made<store::JobRow>{std::move(*made), false};
-    return Error{
-        "store.idempotency_mismatch",
-        "this idempotency key was used for project " + made->project_id + "; use a new one for another drape",
-        "", ErrorKind::kConflict};
-  }
-  TRY(check_room_for_jobs(context.owner, 1, row.document.size()));
-  row.created_ms = store_now_ms();
-  std::string id = TRY(ids_.next('j', row.created_ms));
-  row.id = std::move(id);
-  TRY(insert_job(context.owner, row, idempotency_key));
-  TRY(transaction.commit());
+  std::optional<store::JobRow> made;
+  const GroupCommit::Write make = [&]() -> Status {
+    made = TRY(find_job_made(context.owner, row.project_id, idempotency_key));
+    if (made) return {};
+    TRY(check_room_for_jobs(context.owner, 1, row.document.size()));
+    row.created_ms = store_now_ms();
+    row.id = TRY(ids_.next('j', row.created_ms));
+    return insert_job(context.owner, row, idempotency_key);
+  };
+  TRY(commits_.run(make));
+  if (made) return store::Made<store::JobRow>{std::move(*made), false};
   return store::Made<store::JobRow>{std::move(row), true};
 }
 

@@ -20,6 +20,7 @@
 #include "server/store/job_search.h"
 #include "server/store/sqlite/accounts.h"
 #include "server/store/sqlite/database.h"
+#include "server/store/sqlite/group_commit.h"
 #include "server/store/sqlite/links.h"
 #include "server/store/store.h"
 #include "server/store/sweeps.h"
@@ -195,6 +196,8 @@ class SqliteStore final : public store::Store,
   Status trim_edits(const store::OwnerId& owner, const std::string& project_id);
   Status forget_edits(const store::OwnerId& owner, const std::string& project_id);
   Result<std::optional<store::JobRow>> find_job_of_key(const store::OwnerId& owner, const std::string& key);
+  Result<std::optional<store::JobRow>> find_job_made(const store::OwnerId& owner,
+                                                     const std::string& project_id, const std::string& key);
   Status write_job(const store::OwnerId& owner, const store::JobRow& row);
   Result<std::vector<OwnedJob>> find_unfinished_jobs();
 
@@ -225,6 +228,7 @@ class SqliteStore final : public store::Store,
   std::shared_mutex blob_mutex_;
   std::mutex mutex_;  // guards what stands below; files are read and written without it
   SqlDatabase database_;
+  GroupCommit commits_{mutex_, database_};
   store::IdSource ids_;
   SqliteAccounts accounts_{mutex_, database_, ids_};
   SqliteLinks links_{mutex_, database_, ids_};

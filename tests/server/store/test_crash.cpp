@@ -10,7 +10,9 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "server/store/sqlite/database.h"
@@ -40,13 +42,14 @@ constexpr std::size_t kIdSize = 22;
 }
 
 /// The ids that a writer acknowledged before it was killed, after it had acknowledged at least `least`.
-std::vector<std::string> acknowledged_until_killed(const std::string& folder, std::size_t least) {
+std::vector<std::string> acknowledged_until_killed(const std::string& folder, std::size_t least,
+                                                   void (*write)(const std::string& folder, int out)) {
   std::array<int, 2> ends;
   if (::pipe(ends.data()) != 0) return {};
   const pid_t child = ::fork();
   if (child == 0) {
     ::close(ends[0]);
-    write_for_ever(folder, ends[1]);
+    write(folder, ends[1]);
   }
   ::close(ends[1]);
   std::vector<std::string> ids;
@@ -74,7 +77,8 @@ TEST(StoreCrash, LosesNothingThatWasAcknowledgedBeforeAKill) {
   const TemporaryFolder folder;
   std::vector<std::string> ids;
   for (std::size_t round = 0; round < 6; ++round) {
-    const std::vector<std::string> more = acknowledged_until_killed(folder.path(), 3 + 4 * round);
+    const std::vector<std::string> more =
+        acknowledged_until_killed(folder.path(), 3 + 4 * round, write_for_ever);
     ASSERT_GE(more.size(), 3 + 4 * round);
     ids.insert(ids.end(), more.begin(), more.end());
     const auto store = opened(folder.path());
@@ -89,6 +93,46 @@ TEST(StoreCrash, LosesNothingThatWasAcknowledgedBeforeAKill) {
     }
     EXPECT_EQ(integrity_of(folder.path()), "ok");
   }
+}
+
+/// The same from eight threads, whose jobs the store takes on together; jobs alone.
+[[noreturn]] void submit_for_ever(const std::string& folder, int out) {
+  const auto store = opened(folder);
+  std::vector<std::jthread> threads;
+  for (int thread = 0; thread < 8; ++thread) {
+    threads.emplace_back([&, thread] {
+      for (int i = 0;; ++i) {
+        const std::string key =
+            std::to_string(::getpid()) + "-" + std::to_string(thread) + "-" + std::to_string(i);
+        const auto made = store->create_job(kMe, some_job(key), key);
+        if (!made || !made->anew) _exit(1);
+        if (::write(out, made->id.data(), kIdSize) != static_cast<ssize_t>(kIdSize)) _exit(2);
+      }
+    });
+  }
+  threads.clear();
+  _exit(3);
+}
+
+TEST(StoreCrash, LosesNothingOfWhatManySubmitAtOnce) {
+  const TemporaryFolder folder;
+  std::vector<std::string> ids;
+  for (std::size_t round = 0; round < 6; ++round) {
+    const std::size_t least = 20 + 7 * round;
+    const std::vector<std::string> more = acknowledged_until_killed(folder.path(), least, submit_for_ever);
+    ASSERT_GE(more.size(), least);
+    ids.insert(ids.end(), more.begin(), more.end());
+    const auto store = opened(folder.path());
+    for (const std::string& id : ids) {
+      const Result<store::JobRow> job = store->job(kMe, id);
+      ASSERT_TRUE(job) << to_string(job.error());
+      const auto of_key = store->job_of_key(kMe, job->name);  // which is its key
+      ASSERT_TRUE(of_key && *of_key);
+      EXPECT_EQ((*of_key)->id, id);
+    }
+    EXPECT_EQ(integrity_of(folder.path()), "ok");
+  }
+  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
 }
 
 /// Bytes.
