@@ -14,6 +14,7 @@
 #include "core/drape/worn_verdict.h"
 #include "core/preflight/preflight.h"
 #include "core/sewing/assembly.h"
+#include "core/warm/carried_pins.h"
 
 namespace toile::drape {
 
@@ -198,7 +199,19 @@ Result<bool> DrapeRun::go_on(const DrapeStart& start) {
   }
   last_start_ = !may_put_on(input(), start);
   tops_ = tops_where_begun(start.placed, session.positions());
+  TRY(pin_as_before(start.meshes));
   return true;
+}
+
+/// The first touches of the drape, and in its log as all others.
+Status DrapeRun::pin_as_before(const mesh::PanelMeshes& meshes) {
+  for (const warm::CarriedPin& pin : warm::carried_pins(*input().before, input().pattern, meshes)) {
+    Touch touch;
+    touch.kind = TouchKind::kPin;
+    touch.at = {pin.triangle, pin.share};
+    TRY(session_->touch(touch));
+  }
+  return {};
 }
 
 void DrapeRun::reduce(std::vector<bool> left_out, DrapeInput reduced) {
@@ -400,7 +413,16 @@ DrapeResult DrapeRun::conclude() {
 
 warm::HungGarment DrapeRun::hung() const {
   warm::HungGarment hung = pieces_;
-  warm::hang(session_->garment(), session_->positions(), session_->state().solver.preloads, hung);
+  const sewing::GarmentMesh& garment = session_->garment();
+  warm::hang(garment, session_->positions(), session_->state().solver.preloads, hung);
+  for (const Grip& pin : session_->hands().pins) {
+    const auto triangle = static_cast<std::size_t>(pin.at.triangle);
+    Vec2 flat;
+    for (std::size_t k = 0; k < 3; ++k)
+      flat = flat + garment.rest[garment.triangles[triangle][k]] * pin.at.share[k];
+    const auto panel = static_cast<std::size_t>(garment.panel_of_triangle[triangle]);
+    hung.pins.push_back({input().pattern.panels[panel].id, flat});
+  }
   return hung;
 }
 

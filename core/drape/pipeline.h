@@ -44,7 +44,9 @@ class DrapeRun {
   /// while the garment is about to begin anew.
   Status touch(const Touch& touch);
   /// Does those touches again, each after the step that it came after: with the same input, the drape ends in
-  /// the same bytes. Errors: those of check_touches; live.method. REQUIRES that no step was made.
+  /// the same bytes. Of one that goes on from how a garment hung they begin with its pins, as its log does.
+  /// Errors: those of check_touches; live.method; live.order where they begin otherwise. REQUIRES that no
+  /// step was made.
   Status replay(std::vector<Touch> touches);
 
   bool done() const { return session_->done() && !ended_badly_; }
@@ -73,6 +75,7 @@ class DrapeRun {
   void reduce(std::vector<bool> left_out, DrapeInput reduced);
   Status begin(DrapeStart start, bool on_body);
   Result<bool> go_on(const DrapeStart& start);
+  Status pin_as_before(const mesh::PanelMeshes& meshes);
   Status prepare(const RunContext& context);
   Status restore(std::string_view checkpoint, const RunContext& context);
   bool ends_badly() const;

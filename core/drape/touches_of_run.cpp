@@ -21,8 +21,13 @@ Status DrapeRun::replay(std::vector<Touch> touches) {
   TOILE_CHECK(session_->steps() == 0);
   if (!touches.empty() && input().settings.method == DrapeMethod::kPaper) return session_->touch(touches[0]);
   TRY(check_touches(touches, session_->garment()));
+  if (touches.empty()) return {};
+  const std::vector<Touch>& done = session_->hands().log;
+  if (touches.size() < done.size() || !std::equal(done.begin(), done.end(), touches.begin()))
+    return Error{"live.order", "the log does not begin with the pins that the garment hung by before",
+                 "touch 0"};
   to_replay_ = std::move(touches);
-  replayed_ = 0;
+  replayed_ = done.size();
   return {};
 }
 

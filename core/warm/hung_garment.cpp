@@ -50,6 +50,13 @@ HungPiece read_piece(StateReader& in) {
   return piece;
 }
 
+HungPin read_pin(StateReader& in) {
+  HungPin pin;
+  in.value(pin.piece);
+  in.value(pin.at);
+  return pin;
+}
+
 bool within(std::initializer_list<double> numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double v) { return std::abs(v) <= kFarthest; });
 }
@@ -72,6 +79,11 @@ bool sound(const HungPiece& piece) {
          std::all_of(piece.edges.begin(), piece.edges.end(), [&](const HungEdge& edge) {
            return edge.vertices.size() > 1 && std::all_of(edge.vertices.begin(), edge.vertices.end(), known);
          });
+}
+
+bool sound(const HungPin& pin, const std::vector<HungPiece>& pieces) {
+  return within({pin.at.x, pin.at.y}) &&
+         std::any_of(pieces.begin(), pieces.end(), [&](const HungPiece& p) { return p.id == pin.piece; });
 }
 
 }  // namespace
@@ -106,9 +118,14 @@ void hang(const sewing::GarmentMesh& garment, std::span<const Vec3> positions, s
 std::string encode_hung(const HungGarment& hung) {
   StateWriter out;
   out.raw(kMagic);
-  out.value(kHungVersion);
+  out.value(hung.pins.empty() ? kHungVersion : kHungVersionWithPins);
   out.size(hung.pieces.size());
   for (const HungPiece& piece : hung.pieces) write(out, piece);
+  if (!hung.pins.empty()) out.size(hung.pins.size());
+  for (const HungPin& pin : hung.pins) {
+    out.value(pin.piece);
+    out.value(pin.at);
+  }
   out.raw(hash_of(std::string_view(out.bytes())));
   return out.take();
 }
@@ -121,7 +138,7 @@ Result<HungGarment> decode_hung(std::string_view bytes) {
   if (in.raw(kMagic.size()) != kMagic) return damaged();
   std::uint32_t version = 0;
   in.value(version);
-  if (version != kHungVersion)
+  if (version != kHungVersion && version != kHungVersionWithPins)
     return Error{"hung.version", "the shape to go on from is of another version; drape from the start", "",
                  ErrorKind::kInput};
   HungGarment hung;
@@ -130,7 +147,13 @@ Result<HungGarment> decode_hung(std::string_view bytes) {
     hung.pieces.push_back(read_piece(in));
     if (!sound(hung.pieces.back())) return damaged();
   }
-  if (!in.ok() || !in.at_end()) return damaged();
+  const std::size_t pins = version == kHungVersionWithPins ? in.count(2 * sizeof(double)) : 0;
+  for (std::size_t p = 0; in.ok() && p < std::min(pins, kMostHungPins); ++p) {
+    hung.pins.push_back(read_pin(in));
+    if (!sound(hung.pins.back(), hung.pieces)) return damaged();
+  }
+  const bool told = version == kHungVersion || (pins > 0 && pins <= kMostHungPins);
+  if (!in.ok() || !in.at_end() || !told) return damaged();
   return hung;
 }
 

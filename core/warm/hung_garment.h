@@ -2,10 +2,11 @@
 // A garment as it hung at the end of a drape, for another drape to go on from: its cloth in space and in the
 // flat, by the names of pieces and edges, so that it fits a pattern that has been edited since.
 //
-//   "TOILEHG\n" | version u32 | pieces | hash of all before, 32 hex digits
+//   "TOILEHG\n" | version u32 | pieces | in version 2 pins | hash of all before, 32 hex digits
 //
 // Little endian; doubles as they are (proto/hung.md).
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -19,7 +20,8 @@
 
 namespace toile::warm {
 
-inline constexpr std::uint32_t kHungVersion = 1;
+/// What is written: the first where there are no pins.
+inline constexpr std::uint32_t kHungVersion = 1, kHungVersionWithPins = 2;
 
 struct HungEdge {
   std::string id;
@@ -35,8 +37,19 @@ struct HungPiece {
   std::vector<Vec3> preloads;   ///< what the membrane of each triangle had learnt
 };
 
+/// As many as hands may set (core/drape/hands.h); a file that has more is no such file.
+inline constexpr std::size_t kMostHungPins = 100;
+
+/// Where somebody held the cloth.
+struct HungPin {
+  std::string piece;  ///< its id
+  Vec2 at;            ///< m, in the flat piece
+  friend bool operator==(const HungPin&, const HungPin&) = default;
+};
+
 struct HungGarment {
   std::vector<HungPiece> pieces;
+  std::vector<HungPin> pins{};  ///< in the order in which they were set
 };
 
 /// The pieces of a pattern as they were meshed; neither positions nor preloads.

@@ -14,7 +14,8 @@ std::vector<std::string> seeds() {
   piece.edges = {{"hem", {0, 1}}, {"side", {1, 2}}};
   piece.positions = {{0, 1, 0}, {0.1, 1, 0}, {0, 1.1, 0}};
   piece.preloads = {{0, 0, 0}};
-  return {unsealed(warm::encode_hung({{piece}})), unsealed(warm::encode_hung({{piece, piece}}))};
+  return {unsealed(warm::encode_hung({{piece}})), unsealed(warm::encode_hung({{piece, piece}})),
+          unsealed(warm::encode_hung({{piece}, {{"front", {0.02, 0.03}}}}))};
 }
 
 void try_input(std::string_view bytes) {
@@ -25,6 +26,7 @@ void try_input(std::string_view bytes) {
     expect(piece.positions.size() == piece.rest.size(), "every vertex hangs somewhere");
     expect(piece.preloads.size() == piece.triangles.size(), "every triangle has its preloads");
   }
+  expect(hung->pins.size() <= warm::kMostHungPins, "no more pins than hands may set");
   expect(warm::encode_hung(*hung) == file, "what is written is read again");
 }
 

@@ -134,6 +134,93 @@ TEST(GoingOn, EndsInTheSameBytesHoweverOftenItIsBrokenOff) {
       << "from what it went on is part of the input";
 }
 
+/// The triangle of the front whose middle is lowest and farthest to the left, in the flat.
+Index low_corner(const sewing::GarmentMesh& garment) {
+  Index best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    if (garment.panel_of_triangle[t] != 0) continue;
+    double sum = 0;
+    for (const Index v : garment.triangles[t]) sum += garment.rest[v].x + 2 * garment.rest[v].y;
+    if (sum >= least) continue;
+    least = sum;
+    best = static_cast<Index>(t);
+  }
+  return best;
+}
+
+Vec3 middle(const sewing::GarmentMesh& garment, const std::vector<Vec3>& x, Index triangle) {
+  Vec3 sum;
+  for (const Index v : garment.triangles[static_cast<std::size_t>(triangle)]) sum += x[v];
+  return sum * (1.0 / 3);
+}
+
+/// As tube() hung with its lower corner held 8 cm up.
+const drape::DrapeResult& held_up() {
+  static const drape::DrapeResult result = [] {
+    const drape::DrapeInput input = going_on(tube());
+    const auto run = drape::DrapeRun::start(input, {}, nullptr).value();
+    const sewing::GarmentMesh& garment = run->session().garment();
+    const drape::TouchedPoint at{low_corner(garment), {0.25, 0.25, 0.5}};
+    const Vec3 place = middle(garment, run->session().positions(), at.triangle);
+    EXPECT_TRUE(run->touch({0, drape::TouchKind::kPull, 1, at, place + Vec3{0, 0.08, 0}}));
+    run->advance(3000, {});
+    EXPECT_TRUE(run->touch({0, drape::TouchKind::kPin, 0, at, {}}));
+    EXPECT_TRUE(run->touch({0, drape::TouchKind::kLetGo, 1, {}, {}}));
+    run->advance(std::numeric_limits<int>::max(), {});
+    return run->conclude();
+  }();
+  return result;
+}
+
+double height_of_corner(const drape::DrapeResult& r) {
+  return middle(r.garment, r.positions, low_corner(r.garment)).y;
+}
+
+TEST(GoingOn, KeepsThePinsThatHeldTheClothInAnEditedPattern) {
+  ASSERT_EQ(held_up().hung.pins.size(), 1U);
+  EXPECT_GT(height_of_corner(held_up()), height_of_corner(hung()) + 0.04);
+  drape::DrapeInput longer = tube(20);
+  longer.before = std::make_shared<const warm::HungGarment>(held_up().hung);
+  const drape::DrapeResult on = draped(longer);
+  EXPECT_TRUE(told(on, preflight::FindingKind::kGoesOn));
+  EXPECT_TRUE(told(on, preflight::FindingKind::kTouched));
+  EXPECT_GT(height_of_corner(on), height_of_corner(hung()) + 0.02) << "it is held up";
+  ASSERT_EQ(on.touches.size(), 1U);
+  EXPECT_EQ(on.touches[0].kind, drape::TouchKind::kPin);
+  EXPECT_EQ(on.touches[0].step, 0);
+  EXPECT_EQ(on.touches[0].id, 1);
+  EXPECT_EQ(on.hung.pins.size(), 1U) << "and in the next";
+
+  auto loose = std::make_shared<warm::HungGarment>(held_up().hung);
+  loose->pins.clear();
+  longer.before = loose;
+  EXPECT_LT(height_of_corner(draped(longer)), height_of_corner(on) - 0.02) << "for it falls without";
+}
+
+TEST(GoingOn, WithPinsDrapesTheSameAgainFromItsLogAndHoweverOftenItIsBrokenOff) {
+  drape::DrapeInput longer = tube(20);
+  longer.before = std::make_shared<const warm::HungGarment>(held_up().hung);
+  auto run = drape::DrapeRun::start(longer, {}, nullptr).value();
+  run->advance(200, {});
+  ASSERT_TRUE(run->touch({0, drape::TouchKind::kUnpin, 1, {}, {}})) << "the pin of before";
+  while (!run->done()) {
+    run->advance(170, {});
+    run = drape::DrapeRun::resume(longer, run->checkpoint(), {}, nullptr).value();
+  }
+  const drape::DrapeResult cut = run->conclude();
+  ASSERT_EQ(cut.touches.size(), 2U);
+  const auto again = drape::DrapeRun::start(longer, {}, nullptr).value();
+  ASSERT_TRUE(again->replay(cut.touches));
+  again->advance(std::numeric_limits<int>::max(), {});
+  EXPECT_EQ(again->conclude().positions, cut.positions);
+  const auto other = drape::DrapeRun::start(longer, {}, nullptr).value();
+  EXPECT_EQ(other->replay({cut.touches[1]}).error().code, "live.no_pin");
+  drape::Touch elsewhere = cut.touches[0];
+  elsewhere.at.triangle += 1;
+  EXPECT_EQ(other->replay({elsewhere}).error().code, "live.order") << "a log of another garment";
+}
+
 TEST(GoingOn, SewsASeamThatIsNewAndShutsOneThatOpened) {
   drape::DrapeInput open = tube();
   open.pattern.seams[0].a[0].to = 0.5;  // a slit at the left side

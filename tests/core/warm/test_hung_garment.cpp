@@ -32,6 +32,39 @@ TEST(HungGarment, ComesBackFromItsBytes) {
   EXPECT_EQ(back.pieces[0].edges[1].vertices, (std::vector<Index>{1, 2}));
 }
 
+warm::HungGarment pinned() {
+  warm::HungGarment hung = square();
+  hung.pins = {{"front", {0.25, 0.5}}, {"front", {1, 0}}};
+  return hung;
+}
+
+TEST(HungGarment, ComesBackWithItsPins) {
+  EXPECT_EQ(warm::decode_hung(warm::encode_hung(pinned()))->pins, pinned().pins);
+  const std::string plain = warm::encode_hung(square()), with = warm::encode_hung(pinned());
+  EXPECT_EQ(plain[8], 1) << "a garment without has the bytes that it had before there were pins";
+  EXPECT_EQ(with[8], 2);
+  EXPECT_TRUE(warm::decode_hung(plain)->pins.empty());
+}
+
+TEST(HungGarment, IsRefusedWhenItsPinsMakeNoSense) {
+  const auto refused = [](const auto& spoil) {
+    warm::HungGarment bad = pinned();
+    spoil(bad.pins[1]);
+    const auto read = warm::decode_hung(warm::encode_hung(bad));
+    return !read.ok() && read.error().code == "hung.damaged";
+  };
+  EXPECT_TRUE(refused([](warm::HungPin& p) { p.piece = "back"; }));
+  EXPECT_TRUE(refused([](warm::HungPin& p) { p.at.y = std::numeric_limits<double>::infinity(); }));
+  warm::HungGarment many = square();
+  many.pins.assign(warm::kMostHungPins, {"front", {0, 0}});
+  EXPECT_TRUE(warm::decode_hung(warm::encode_hung(many)));
+  many.pins.push_back({"front", {0, 0}});
+  EXPECT_FALSE(warm::decode_hung(warm::encode_hung(many)));
+  const std::string bytes = warm::encode_hung(pinned());
+  for (std::size_t n = 0; n < bytes.size(); ++n)
+    EXPECT_EQ(warm::decode_hung(bytes.substr(0, n)).error().code, "hung.damaged");
+}
+
 TEST(HungGarment, IsRefusedWhenItIsCutOffOrChangedAnywhere) {
   const std::string bytes = warm::encode_hung(square());
   for (std::size_t n = 0; n < bytes.size(); ++n) {

@@ -106,6 +106,39 @@ TEST_F(EditedJobs, GoOnAlsoWhereTheyArePaused) {
   EXPECT_NE(row(on->id).report.find("start.goes_on"), std::string::npos);
 }
 
+TEST_F(EditedJobs, KeepThePinsThatViewersSet) {
+  const std::string project = project_of(cloth_over_block(300, test::kEndless));
+  const std::string id = hanging(project);
+  const auto pins = [](std::size_t count) {
+    return [count](const test::Recorder::JobLog& log) {
+      return !log.progress.empty() && log.progress.back().progress.pins.size() == count;
+    };
+  };
+  jobs::LiveTouch pin;
+  pin.touch.kind = drape::TouchKind::kPin;
+  pin.touch.at = {10, {0.2, 0.3, 0.5}};
+  ASSERT_TRUE(service->touch(kOwner, id, pin));
+  ASSERT_TRUE(publisher.wait(id, pins(1)));
+  const Vec3 place = service->progress(kOwner, id)->pins[0].place;
+  edit(project, stiffer(300, 0.5));
+  const auto on = service->go_on(kOwner, id, "");
+  ASSERT_TRUE(on) << on.error().message;
+  ASSERT_TRUE(publisher.wait(on->id, pins(1)));
+  EXPECT_LT(length(service->progress(kOwner, on->id)->pins[0].place - place), 2e-3);
+  ASSERT_TRUE(publisher.wait_for_end(on->id));
+  const store::JobRow job = row(on->id);
+  EXPECT_NE(job.report.find("start.goes_on"), std::string::npos) << job.report;
+  EXPECT_NE(job.report.find("live.touched"), std::string::npos);
+  EXPECT_TRUE(job.results.contains("drape.log"));
+  EXPECT_EQ(hash_in(job), hash_of_alone(job)) << "its input tells of the pins as well";
+
+  jobs::JobWish wish;  // and once more, from its end
+  wish.from = on->id;
+  const auto next = service->submit(kOwner, project, "", wish);
+  ASSERT_TRUE(next) << next.error().message;
+  EXPECT_TRUE(publisher.wait(next->id, pins(1)));
+}
+
 /// Whoever is asked may let go of the drape before it looks up.
 TEST_F(EditedJobs, GoOnAlsoWhereAStepEndsMeanwhile) {
   const std::string project = project_of(cloth_over_block(300, test::kEndless));
