@@ -67,6 +67,7 @@ void tell_jobs(std::string& out, const jobs::JobService::Counts& jobs) {
   labelled(out, "toile_jobs", "state", "queued", jobs.queued);
   labelled(out, "toile_jobs", "state", "running", jobs.running);
   labelled(out, "toile_jobs", "state", "paused", jobs.paused);
+  single(out, "toile_jobs_in_memory", "gauge", "Drapes that are begun and not put aside.", jobs.in_memory);
   const std::map<std::string, long long> ended{
       {"succeeded", jobs.succeeded}, {"failed", jobs.failed}, {"cancelled", jobs.cancelled}};
   family(out, "toile_jobs_ended_total", "Drapes that have ended since the start.", "state", ended);

@@ -18,6 +18,7 @@ constexpr auto kLookRound = std::chrono::milliseconds(200);
 Status QueueingJobService::start() {
   const std::lock_guard life(lifecycle_mutex_);
   if (company_.joinable()) return {};
+  const std::int64_t seen = store_.changes_by_others();  // before it is looked: what comes since is news
   TRY(take_up_all());
   if (settings_.workers > 0) {
     renderer_ = std::make_unique<RenderWorker>();
@@ -25,7 +26,7 @@ Status QueueingJobService::start() {
     express_ =
         std::make_unique<WorkerPool>(settings_.express, [this] { return work_once(WorkerKind::kExpress); });
   }
-  company_ = std::jthread([this](const std::stop_token& stop) { keep_company(stop); });
+  company_ = std::jthread([this, seen](const std::stop_token& stop) { keep_company(stop, seen); });
   return {};
 }
 
@@ -138,8 +139,8 @@ void QueueingJobService::beat() {
   }
 }
 
-void QueueingJobService::keep_company(const std::stop_token& stop) {
-  std::int64_t seen = store_.changes_by_others();
+/// `seen`: what changes_by_others() told before the jobs were looked at last.
+void QueueingJobService::keep_company(const std::stop_token& stop, std::int64_t seen) {
   const auto pause = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::chrono::duration<double>(settings_.heartbeat_s));
   auto next_beat = std::chrono::steady_clock::now() + pause;

@@ -14,6 +14,7 @@ std::string encode_kept(const KeptDrape& kept) {
   out.raw(kMagic);
   out.value(kept.motion);
   out.value(kept.checkpoint);
+  if (!kept.shape.empty()) out.value(kept.shape);
   return out.take();
 }
 
@@ -22,6 +23,7 @@ Result<KeptDrape> decode_kept(std::string_view bytes) {
   StateReader in(bytes.starts_with(kMagic) ? bytes.substr(kMagic.size()) : std::string_view());
   in.value(kept.motion);
   in.value(kept.checkpoint);
+  if (in.ok() && !in.at_end()) in.value(kept.shape);
   if (in.ok() && in.at_end()) return kept;
   return Error{"checkpoint.damaged", "the checkpoint cannot be read", "", ErrorKind::kSystem};
 }

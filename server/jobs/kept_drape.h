@@ -1,6 +1,6 @@
 #pragma once
 // What the store keeps of a drape under way: its checkpoint, and what was recorded for its film until then.
-// Both in one piece, so that a drape that goes on leaves the film that it would have left at one go.
+// In one piece, so that a drape that goes on leaves the film that it would have left at one go.
 
 #include <string>
 #include <string_view>
@@ -12,6 +12,7 @@ namespace toile::jobs {
 struct KeptDrape {
   std::string motion;      ///< movie::encode_motion
   std::string checkpoint;  ///< drape::DrapeRun::checkpoint
+  std::string shape;       ///< JobRun::shape, of one that nobody may go on with for long; else empty
 };
 
 std::string encode_kept(const KeptDrape& kept);

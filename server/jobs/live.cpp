@@ -59,7 +59,7 @@ Result<std::string> QueueingJobService::shape_now(const LiveJobPtr& job) {
   do {
     {
       const Changing changing = table_.changing();
-      if (!job->held) return job->run ? job->run->shape() : std::string();
+      if (!job->held) return job->run ? job->run->shape() : Result<std::string>(std::string());
     }
     // Whoever meshes or dresses does not look up, and has nothing that hangs.
     const std::string phase = table_.progress(*job).phase;

@@ -28,8 +28,10 @@ struct LiveJob {
   bool wanted_away = false;  ///< another process has paused it: its lease is to be given up
   JobProgress progress;      ///< as the worker told it last
   std::chrono::steady_clock::time_point waits_since;  ///< when it came to stand in the queue last
-  std::unique_ptr<JobRun> run;                        ///< begun, maybe parked
-  double worked_s = 0;  ///< processor time, as the row's at its last change and since
+  std::unique_ptr<JobRun> run;                        ///< begun, maybe parked, maybe put aside
+  bool aside = false;                                 ///< it has left memory, and waits as its checkpoint
+  double loads_in_s = 0;  ///< processor time that it took to take it up when it was aside last
+  double worked_s = 0;    ///< processor time, as the row's at its last change and since
   std::shared_ptr<std::atomic<bool>> interrupt = std::make_shared<std::atomic<bool>>(false);
 
   std::shared_ptr<TouchInbox> hands = std::make_shared<TouchInbox>();
@@ -37,6 +39,9 @@ struct LiveJob {
 
   /// This process has the lease, and the drape if there is one.
   bool is_here() const { return context.lease != 0; }
+  bool is_in_memory() const { return run != nullptr && !aside; }
+  /// What taking it up costs, s, as far as it is known.
+  double load_s() const { return aside ? loads_in_s : 0; }
 };
 using LiveJobPtr = std::shared_ptr<LiveJob>;
 

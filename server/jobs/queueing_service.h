@@ -3,6 +3,7 @@
 // is in service.cpp, what processes do beside one another in company.cpp, what workers do in working.cpp.
 
 #include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "server/jobs/queue_places.h"
 #include "server/jobs/recovery.h"
 #include "server/jobs/render_worker.h"
 #include "server/jobs/row_edits.h"
@@ -30,7 +32,11 @@ class QueueingJobService final : public JobService {
         publisher_(publisher),
         settings_(settings),
         log_(log),
-        table_(store_, publisher) {}
+        table_(store_, publisher),
+        places_(settings.max_queued, [this] {
+          const Counts now = table_.counts();
+          return now.queued + now.paused;  // what is paused comes back
+        }) {}
   ~QueueingJobService() override { stop(); }
 
   Status start() override;
@@ -61,10 +67,10 @@ class QueueingJobService final : public JobService {
                                    JobEvent event, const RowEdit& edit, bool one_frame = false);
   Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
-  Status check_queue(int more) const;
   Result<std::string> shape_now(const LiveJobPtr& job);
   Result<store::Made<store::JobRow>> queue(const store::RequestContext& context, store::JobRow row,
                                            const std::string& idempotency_key, bool anew);
+  store::JobRow take_in(const store::RequestContext& context, store::JobRow made, bool anew);
   store::JobRow begin(const Changing& changing, const store::RequestContext& context,
                       const store::JobRow& made, bool anew);
   std::optional<store::JobRow> answered(const Changing& changing, const store::RequestContext& context,
@@ -77,7 +83,7 @@ class QueueingJobService final : public JobService {
   void refresh(const Changing& changing, const LiveJobPtr& job);
   void look_round();
   void beat();
-  void keep_company(const std::stop_token& stop);
+  void keep_company(const std::stop_token& stop, std::int64_t seen);
   store::RequestContext context_of(const store::Store::OwnedJob& found) const;
   void forget_checkpoint(const LiveJob& job);
   void give_back_all();
@@ -100,6 +106,7 @@ class QueueingJobService final : public JobService {
   const JobServiceSettings settings_;
   const Log log_;
   JobTable table_;
+  QueuePlaces places_;
 
   std::mutex lifecycle_mutex_;  ///< start and stop; before the table's locks
   std::unique_ptr<RenderWorker> renderer_;

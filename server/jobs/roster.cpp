@@ -64,7 +64,7 @@ LiveJobPtr JobRoster::next_in_turn(WorkerKind kind, bool begun_only) const {
   std::vector<Claim> claims;
   for (const std::string& id : queue_.ids()) {
     const LiveJobPtr& job = jobs_.at(id);
-    if (!is_for(kind, *job) || (begun_only && !job->run)) continue;
+    if (!is_for(kind, *job) || (begun_only && !job->is_in_memory())) continue;
     waiting.push_back(job);
     claims.push_back(claim_of(*job));
   }
@@ -86,19 +86,31 @@ LiveJobPtr JobRoster::next(WorkerKind kind, int most) const {
   return next_in_turn(kind);
 }
 
-bool JobRoster::is_to_make_room(const LiveJob& job, int most) const {
-  if (job.suspect || first_suspect()) return false;
-  const LiveJobPtr next = next_in_turn(WorkerKind::kAny, begun() >= most);
-  return next && makes_room(claim_of(job), claim_of(*next));
+MakeRoom JobRoster::room_to_make(const LiveJob& job, int most) const {
+  if (job.suspect || first_suspect()) return MakeRoom::kNot;
+  const LiveJobPtr next = next_in_turn(WorkerKind::kAny);
+  if (!next) return MakeRoom::kNot;
+  if (next->is_in_memory() || begun() < most)
+    return makes_room(claim_of(job), claim_of(*next), next->load_s()) ? MakeRoom::kInMemory : MakeRoom::kNot;
+  if (makes_room(claim_of(job), claim_of(*next), job.loads_in_s + next->load_s())) return MakeRoom::kAside;
+  const LiveJobPtr begun = next_in_turn(WorkerKind::kAny, true);
+  return begun && makes_room(claim_of(job), claim_of(*begun)) ? MakeRoom::kInMemory : MakeRoom::kNot;
 }
 
 int JobRoster::begun() const {
   return static_cast<int>(std::count_if(jobs_.begin(), jobs_.end(),
-                                        [](const auto& entry) { return entry.second->run != nullptr; }));
+                                        [](const auto& entry) { return entry.second->is_in_memory(); }));
+}
+
+int JobRoster::parked() const {
+  return static_cast<int>(std::count_if(jobs_.begin(), jobs_.end(), [](const auto& entry) {
+    return entry.second->is_in_memory() && entry.second->state == store::JobState::kPaused;
+  }));
 }
 
 void JobRoster::count(std::int64_t now_ms, JobService::Counts& counts) const {
   std::int64_t oldest_ms = now_ms;
+  counts.in_memory = begun();
   for (const auto& [id, job] : jobs_) {
     counts.queued += job->state == store::JobState::kQueued;
     counts.running += job->state == store::JobState::kRunning;

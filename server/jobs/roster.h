@@ -48,11 +48,13 @@ class JobRoster {
   LiveJobPtr next(WorkerKind kind, int most = std::numeric_limits<int>::max()) const;
   /// The first of those that wait and may have crashed their holder.
   LiveJobPtr first_suspect() const;
-  /// Whether the holder of the job is to make room for one whose turn it is rather; where no more than `most`
-  /// drapes may lie in memory and that many do, only for one that does.
-  bool is_to_make_room(const LiveJob& job, int most) const;
+  /// Whether the holder of the job is to make room for one whose turn it is rather, and how: where no more
+  /// than `most` drapes may lie in memory and that many do, it leaves memory for one that does not lie there.
+  MakeRoom room_to_make(const LiveJob& job, int most) const;
   /// Jobs whose drape lies in memory.
   int begun() const;
+  /// Those of them that are paused.
+  int parked() const;
 
   /// Takes down what the job's owner has had of the workers.
   void charge(const LiveJob& job, double seconds) { shares_.charge(job.context.owner, seconds); }

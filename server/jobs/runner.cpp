@@ -115,7 +115,7 @@ std::optional<RunEnd> JobRun::through_all_stages(const RunControl& control) {
   if (run_) {
     const Status draped = drape_on(control);
     if (!draped) return failed(draped.error());
-    if (!run_->done()) return std::nullopt;
+    if (aside_ || !run_->done()) return std::nullopt;
     control.hands->close();
     result_ = std::make_shared<const drape::DrapeResult>(run_->conclude());
     read_figures();
@@ -133,11 +133,40 @@ RunContext JobRun::context_of(const RunControl& control) {
   return context;
 }
 
+/// Of one that was put aside nothing is told but where it goes on: its viewers have its triangles, and its
+/// hands are still on it.
 Status JobRun::begin(const RunControl& control) {
-  tell(control, "mesh", 0);
+  if (!aside_) tell(control, "mesh", 0);
+  TRY(read_input());
+  const double worked = worked_s_;
+  RunContext context = context_of(control);
+  context.on_progress = [&](const Progress& p) {
+    if (aside_) return;
+    if (p.phase == "dress") return tell(control, p.phase, p.fraction);
+    tell(control, "mesh", p.phase == "mesh" ? p.fraction : 1);
+  };
+  std::unique_ptr<drape::DrapeRun> run = TRY(start_or_resume(context));
+  run_ = std::move(run);
+  input_ = run_->reduced() ? std::make_shared<const drape::DrapeInput>(run_->input()) : whole_;
+  const drape::Session& session = run_->session();
+  checkpoint_step_ = session.steps();
+  next_checkpoint_ = later(place_.checkpoint_every);
+  if (std::exchange(aside_, false)) {
+    account(control);
+    loads_in_s_ = worked_s_ - worked;
+    return {};
+  }
+  let_go_of_all();
+  progress_.first_step = session.steps();
+  stream_.emplace(*place_.publisher, job_id_, epoch_, *input_, session.garment(), session.start_positions());
+  stream_->show(session.steps(), session.time(), session.positions());
+  return {};
+}
+
+Status JobRun::read_input() {
   if (!whole_) {
     const store::JobRow row = TRY(place_.documents->store().job(context_, job_id_));
-    worked_s_ = static_cast<double>(row.worked_ms) / 1000;
+    if (!aside_) worked_s_ = static_cast<double>(row.worked_ms) / 1000;
     pictures_ = row.pictures;
     drape::DrapeInput input = TRY(drape_input_of(*place_.documents, context_, row.document, row.files));
     whole_ = std::make_shared<const drape::DrapeInput>(std::move(input));
@@ -146,20 +175,6 @@ Status JobRun::begin(const RunControl& control) {
     const double steps = paper::kFrameTime / whole_->settings.paper.time_step;
     place_.stream_interval = std::max(1, static_cast<int>(steps));
   }
-  RunContext context = context_of(control);
-  context.on_progress = [&](const Progress& p) {
-    if (p.phase == "dress") return tell(control, p.phase, p.fraction);
-    tell(control, "mesh", p.phase == "mesh" ? p.fraction : 1);
-  };
-  std::unique_ptr<drape::DrapeRun> run = TRY(start_or_resume(context));
-  run_ = std::move(run);
-  input_ = run_->reduced() ? std::make_shared<const drape::DrapeInput>(run_->input()) : whole_;
-  let_go_of_all();
-  const drape::Session& session = run_->session();
-  progress_.first_step = checkpoint_step_ = session.steps();
-  next_checkpoint_ = later(place_.checkpoint_every);
-  stream_.emplace(*place_.publisher, job_id_, epoch_, *input_, session.garment(), session.start_positions());
-  stream_->show(session.steps(), session.time(), session.positions());
   return {};
 }
 
@@ -192,8 +207,10 @@ void JobRun::keep_checkpoint(const RunControl& control) {
   next_checkpoint_ = later(std::max(place_.checkpoint_every, 20 * took));
 }
 
-bool JobRun::put_checkpoint() {
-  const std::string bytes = encode_kept({movie::encode_motion(recorder_->motion()), run_->checkpoint()});
+bool JobRun::put_checkpoint(bool with_shape) {
+  KeptDrape drape{movie::encode_motion(recorder_->motion()), run_->checkpoint(), ""};
+  if (with_shape) drape.shape = shape_in_memory();
+  const std::string bytes = encode_kept(drape);
   const Status kept = place_.documents->store().put_checkpoint(context_, job_id_, bytes);
   if (kept) {
     checkpoint_step_ = run_->session().steps();
@@ -203,6 +220,22 @@ bool JobRun::put_checkpoint() {
   return kept.ok();
 }
 
+/// Frees what the store has of it. False: the store does not take it, and is not asked again for a while.
+bool JobRun::put_aside(const RunControl& control) {
+  if (Clock::now() < next_aside_) return false;
+  if (!put_checkpoint(true)) {
+    next_aside_ = later(place_.checkpoint_every);
+    return false;
+  }
+  tell_where_it_stands(control);
+  run_.reset();  // before what it refers to
+  recorder_.reset();
+  input_.reset();
+  whole_.reset();
+  aside_ = true;
+  return true;
+}
+
 void JobRun::keep_where_it_stands() {
   if (run_ && checkpoint_step_ != run_->session().steps()) put_checkpoint();
 }
@@ -210,13 +243,16 @@ void JobRun::keep_where_it_stands() {
 Status JobRun::drape_on(const RunControl& control) {
   while (!run_->done() && !control.interrupt->load(std::memory_order_relaxed)) {
     take_touches(*control.hands);
-    if (control.shape->is_asked()) control.shape->answer(shape());
+    if (control.shape->is_asked()) control.shape->answer(shape_in_memory());
     advance_slice(control);
     account(control);
     TRY(check_limits());
     // What it has done since its last checkpoint waits with it in memory.
     const bool framed = run_->session().steps() % place_.stream_interval == 0;
-    if (!run_->done() && !control.one_frame && control.make_room()) return {};
+    if (!run_->done() && !control.one_frame) {
+      const MakeRoom room = control.make_room();
+      if (room == MakeRoom::kInMemory || (room == MakeRoom::kAside && put_aside(control))) return {};
+    }
     if (control.one_frame && framed) break;
     if (Clock::now() >= next_checkpoint_) keep_checkpoint(control);
   }

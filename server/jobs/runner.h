@@ -24,6 +24,7 @@
 #include "server/jobs/shape_wish.h"
 #include "server/jobs/stream.h"
 #include "server/jobs/touch_inbox.h"
+#include "server/jobs/turn.h"
 #include "server/jobs/work_clock.h"
 #include "server/movie/film_recorder.h"
 #include "server/store/store.h"
@@ -45,7 +46,7 @@ struct RunPlace {
 /// What the worker that holds a run wants of it.
 struct RunControl {
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, the run lets go at the next substep
-  std::function<bool()> make_room;  ///< whether the drape lets go for a while, although nobody told it to
+  std::function<MakeRoom()> make_room;  ///< how the drape lets go for a while, although nobody told it to
   std::function<bool()> abandon;  ///< whether even a finished drape lets go, without its pictures and results
   std::function<bool()> worth_keeping;  ///< whether a drape that lets go will be taken up again
   TouchInbox* hands = nullptr;          ///< what viewers do to the cloth
@@ -60,7 +61,8 @@ struct RunControl {
   std::function<Status(const RunEnd& end)> on_draped;
 };
 
-/// A job's drape under way. Between two calls of go_on it lies in memory, and any thread may call it next.
+/// A job's drape under way. Between two calls of go_on it lies in memory, or as a checkpoint in the store,
+/// and any thread may call it next.
 class JobRun {
  public:
   JobRun(const RunPlace& place, store::RequestContext context, std::string job_id, std::uint32_t epoch);
@@ -76,8 +78,13 @@ class JobRun {
   /// on with it.
   JobProgress touch_where_it_stands(TouchInbox& hands);
   /// How the garment hangs (warm::encode_hung), by now or at the end; empty where it is still put on or sewn.
-  /// REQUIRES that nobody goes on with it.
-  std::string shape() const;
+  /// Errors: those of the store and of decode_kept, where it was put aside. REQUIRES that nobody goes on with
+  /// it.
+  Result<std::string> shape() const;
+  /// Whether it has left memory and goes on from the store. REQUIRES that nobody goes on with it.
+  bool is_aside() const { return aside_; }
+  /// Processor time, s, that it took to take it up again when it had been put aside. REQUIRES as above.
+  double loads_in_s() const { return loads_in_s_; }
 
  private:
   std::optional<RunEnd> caught(const RunControl& control);
@@ -87,8 +94,11 @@ class JobRun {
   Status begin(const RunControl& control);
   Result<std::unique_ptr<drape::DrapeRun>> start_or_resume(const RunContext& context);
   Result<std::unique_ptr<drape::DrapeRun>> resume(std::string_view bytes, const RunContext& context);
+  Status read_input();
   void keep_checkpoint(const RunControl& control);
-  bool put_checkpoint();
+  bool put_checkpoint(bool with_shape = false);
+  bool put_aside(const RunControl& control);
+  std::string shape_in_memory() const;
   Status drape_on(const RunControl& control);
   void take_touches(TouchInbox& hands);
   void let_go_of_all();
@@ -121,6 +131,9 @@ class JobRun {
   JobProgress progress_;
   WorkClock work_;       ///< of the thread that goes on with it
   double worked_s_ = 0;  ///< by all who went on with it
+  bool aside_ = false;   ///< its newest checkpoint is all of the drape that there is
+  double loads_in_s_ = 0;
+  std::chrono::steady_clock::time_point next_aside_;  ///< not before, since the store took none
   std::chrono::steady_clock::time_point told_;
   std::chrono::steady_clock::time_point next_checkpoint_;
   int checkpoint_step_ = -1;

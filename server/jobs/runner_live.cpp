@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/jobs/kept_drape.h"
 #include "server/jobs/runner.h"
 
 namespace toile::jobs {
@@ -31,7 +32,13 @@ void JobRun::take_touches(TouchInbox& hands) {
   }
 }
 
-std::string JobRun::shape() const {
+Result<std::string> JobRun::shape() const {
+  if (!aside_) return shape_in_memory();
+  const auto kept = TRY(place_.documents->store().checkpoint(context_, job_id_));
+  return TRY(decode_kept(kept.bytes)).shape;
+}
+
+std::string JobRun::shape_in_memory() const {
   if (result_) return warm::encode_hung(result_->hung);
   const bool hangs = run_ && run_->session().progress().phase == "drape";
   return hangs ? warm::encode_hung(run_->hung()) : std::string();

@@ -19,8 +19,8 @@ Error QueueingJobService::refusal(const store::RequestContext& context, const st
 }
 
 Status QueueingJobService::check_parking(const Changing& changing, const LiveJob& job) const {
-  if (job.state != store::JobState::kRunning || !job.is_here()) return {};  // takes no memory
-  if (table_.begun(changing) < settings_.workers + settings_.max_parked) return {};
+  const bool takes_memory = job.state == store::JobState::kRunning && job.is_here() && !job.aside;
+  if (!takes_memory || table_.parked(changing) < settings_.max_parked) return {};
   return Error{"jobs.too_many_paused",
                "as many drapes lie paused in memory as there is room for; resume or cancel one first", "",
                ErrorKind::kTooMany};
@@ -64,14 +64,6 @@ Result<store::JobRow> QueueingJobService::cancel(const store::RequestContext& co
   return on_request(context, id, JobEvent::kCancel, cancelled());
 }
 
-/// Whether so many more may wait.
-Status QueueingJobService::check_queue(int more) const {
-  const Counts now = table_.counts();
-  if (now.queued + now.paused + more <= settings_.max_queued) return {};  // what is paused comes back
-  return Error{"jobs.queue_full", "the queue is full; try again when some drapes have ended", "",
-               ErrorKind::kTooMany};
-}
-
 Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::RequestContext& context,
                                                               const std::string& project_id,
                                                               const std::string& idempotency_key,
@@ -80,7 +72,7 @@ Result<store::Made<store::JobRow>> QueueingJobService::submit(const store::Reque
   if (before && before->project_id == project_id) {
     return store::Made<store::JobRow>{without_document(std::move(*before)), false};
   }
-  TRY(check_queue(1));
+  TRY(places_.check(1));
   store::JobRow row = TRY(row_of_drape(documents_, context, project_id, settings_.limits, wish.from));
   row.priority = wish.priority;
   row.pictures = wish.pictures;
@@ -111,19 +103,27 @@ Result<store::Made<store::JobRow>> QueueingJobService::retry(const store::Reques
   return queue(context, std::move(row), idempotency_key, true);
 }
 
-/// `anew`: whatever equal ones there are.
+/// `anew`: whatever equal ones there are. The store takes on many at once, so nothing is held meanwhile but a
+/// place.
 Result<store::Made<store::JobRow>> QueueingJobService::queue(const store::RequestContext& context,
                                                              store::JobRow row,
                                                              const std::string& idempotency_key, bool anew) {
   row.input = input_of(row, settings_.engine, settings_.still_width, settings_.still_height);
-  const Changing changing = table_.changing();
-  TRY(check_queue(1));  // others came while the document was read
-  const store::Made<store::JobRow> made = TRY(store_.create_job(context, std::move(row), idempotency_key));
-  if (!made.anew) return store::Made<store::JobRow>{without_document(made), false};
-  return store::Made<store::JobRow>{begin(changing, context, made, anew), true};
+  const QueuePlaces::Held place = TRY(places_.take(1));  // others came while the document was read
+  store::Made<store::JobRow> made = TRY(store_.create_job(context, std::move(row), idempotency_key));
+  if (!made.anew) return store::Made<store::JobRow>{without_document(std::move(made)), false};
+  return store::Made<store::JobRow>{take_in(context, std::move(made), anew), true};
 }
 
-/// What the store has just taken on. As it stands then: it may have ended already.
+/// What the store has just taken on, unless look_round() has met it since.
+store::JobRow QueueingJobService::take_in(const store::RequestContext& context, store::JobRow made,
+                                          bool anew) {
+  const Changing changing = table_.changing();
+  if (table_.find(context, made.id)) return without_document(std::move(made));
+  return begin(changing, context, made, anew);
+}
+
+/// As it stands then: it may have ended already.
 store::JobRow QueueingJobService::begin(const Changing& changing, const store::RequestContext& context,
                                         const store::JobRow& made, bool anew) {
   std::optional<store::JobRow> ended = anew ? std::nullopt : answered(changing, context, made);
@@ -144,23 +144,15 @@ Result<store::Made<store::SweptJobs>> QueueingJobService::submit_sweep(const sto
   store::SweptJobs before = TRY(sweeps->sweep_of_key(context, idempotency_key));
   if (!before.sweep.id.empty() && before.sweep.project_id == wish.project_id)
     return store::Made<store::SweptJobs>{std::move(before), false};
-  TRY(check_queue(1));
+  TRY(places_.check(1));
   store::SweptJobs wanted = TRY(swept_jobs(documents_, context, wish, settings_.limits));
   for (store::JobRow& job : wanted.jobs)
     job.input = input_of(job, settings_.engine, settings_.still_width, settings_.still_height);
-  store::Made<store::SweptJobs> made;
-  {
-    const Changing changing = table_.changing();
-    TRY(check_queue(static_cast<int>(wanted.jobs.size())));
-    made = TRY(sweeps->create_sweep(context, std::move(wanted), idempotency_key));
-  }
+  const QueuePlaces::Held places = TRY(places_.take(static_cast<int>(wanted.jobs.size())));
+  store::Made<store::SweptJobs> made = TRY(sweeps->create_sweep(context, std::move(wanted), idempotency_key));
   if (!made.anew) return made;
   context.log.info("sweep queued", {{"sweep", made.sweep.id}, {"jobs", std::to_string(made.jobs.size())}});
-  for (store::JobRow& job : made.jobs) {
-    const Changing changing = table_.changing();
-    const bool met = table_.find(context, job.id) != nullptr;  // by look_round(), since it was made
-    job = met ? without_document(std::move(job)) : begin(changing, context, job, wish.manner.anew);
-  }
+  for (store::JobRow& job : made.jobs) job = take_in(context, std::move(job), wish.manner.anew);
   return made;
 }
 

@@ -23,8 +23,9 @@ struct JobServiceSettings {
   int workers = 2;        ///< threads that drape; 0: other processes do
   int express = 1;        ///< and threads that only begin interactive drapes for which none of those has time
   int max_queued = 1000;  ///< waiting or paused; beyond it submissions are refused (jobs.queue_full)
-  /// Drapes that lie in memory, paused or waiting for their next turn. Beyond it a pause is refused
-  /// (jobs.too_many_paused), and no drape makes room for another.
+  /// Drapes that lie in memory beside those that workers have, paused or waiting for their next turn. Where
+  /// more are begun, a drape that makes room leaves memory and is taken up again from its checkpoint; where
+  /// so many are paused, another pause is refused (jobs.too_many_paused).
   int max_parked = 16;
   int stream_interval = 50;                     ///< substeps between streamed frames
   double checkpoint_every_s = 5;                ///< by the clock; what a crash can cost
@@ -38,8 +39,9 @@ struct JobServiceSettings {
 };
 
 /// Workers drape in slices. Between two a drape makes room for an interactive one, and for one of an owner
-/// who has had less of the workers' time (turn.h); it then waits in memory. How it is cut changes no byte.
-/// All calls are thread-safe. The rows that they give back are without the document.
+/// who has had less of the workers' time (turn.h); it then waits in memory, or aside as its checkpoint. How
+/// it is cut changes no byte. All calls are thread-safe. The rows that they give back are without the
+/// document.
 class JobService {
  public:
   virtual ~JobService() = default;
@@ -113,6 +115,7 @@ class JobService {
 
   struct Counts {
     int queued = 0, running = 0, paused = 0;
+    int in_memory = 0;                                   ///< begun, and not put aside
     long long succeeded = 0, failed = 0, cancelled = 0;  ///< since the service was made
     long long steps = 0;                                 ///< substeps since then
     long long answered = 0;                              ///< of the succeeded, with results of before

@@ -214,9 +214,9 @@ bool JobTable::clear(const Changing&, LiveJob& job) {
   return others;
 }
 
-bool JobTable::is_to_make_room(const LiveJob& job, int most) const {
+MakeRoom JobTable::room_to_make(const LiveJob& job, int most) const {
   const std::lock_guard lock(mutex_);
-  return open_ && roster_.is_to_make_room(job, most);
+  return open_ ? roster_.room_to_make(job, most) : MakeRoom::kNot;
 }
 
 LiveJobPtr JobTable::next_ready(const Changing&, WorkerKind kind, int most) const {
@@ -239,6 +239,7 @@ void JobTable::hand_out(const Changing&, LiveJob& job,
   job.held = true;
   roster_.put(job, QueuePlace::kOut);  // one that had made room still stands there
   job.interrupt->store(false, std::memory_order_relaxed);
+  job.aside = false;
   if (job.run) return;
   job.progress = {};
   job.run = make(static_cast<std::uint32_t>(job.context.lease));
@@ -248,6 +249,8 @@ void JobTable::take_back(const Changing&, LiveJob& job) {
   {
     const std::lock_guard lock(mutex_);
     job.held = false;
+    job.aside = job.run && job.run->is_aside();
+    if (job.run) job.loads_in_s = job.run->loads_in_s();
   }
   bell_.notify_all();  // it may have been resumed meanwhile
 }
@@ -257,9 +260,9 @@ std::vector<LiveJobPtr> JobTable::all(const Changing&) const {
   return roster_.all();
 }
 
-int JobTable::begun(const Changing&) const {
+int JobTable::parked(const Changing&) const {
   const std::lock_guard lock(mutex_);
-  return roster_.begun();
+  return roster_.parked();
 }
 
 void JobTable::open(const Changing&) {

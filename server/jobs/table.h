@@ -95,8 +95,8 @@ class JobTable {
   void make_wait(const Changing&, LiveJob& job);
   void set_stepping(const Changing&, LiveJob& job, bool stepping);
   std::vector<LiveJobPtr> all(const Changing&) const;
-  /// Jobs whose drape lies in memory.
-  int begun(const Changing&) const;
+  /// Jobs that are paused and whose drape lies in memory.
+  int parked(const Changing&) const;
 
   /// Takes jobs from now on.
   void open(const Changing&);
@@ -117,8 +117,8 @@ class JobTable {
   bool is_out_of_patience() const;
   /// Waits until a job may be taken: true; or until the table is closed: false.
   bool wait_for_work(WorkerKind kind);
-  /// JobRoster::is_to_make_room; never once the table is closed.
-  bool is_to_make_room(const LiveJob& job, int most) const;
+  /// JobRoster::room_to_make; none once the table is closed.
+  MakeRoom room_to_make(const LiveJob& job, int most) const;
   /// Waits, but not for a closed table.
   void pause(std::chrono::milliseconds time);
   /// Takes down and publishes what the holder of the job tells, unless the job is not running any more.

@@ -1,5 +1,7 @@
 #include "server/jobs/turn.h"
 
+#include <algorithm>
+
 namespace toile::jobs {
 namespace {
 
@@ -18,8 +20,8 @@ std::optional<std::size_t> next_turn(std::span<const Claim> waiting) {
   return best;
 }
 
-bool makes_room(const Claim& running, const Claim& waiting) {
-  return standing(running) - standing(waiting) > kQuantum;
+bool makes_room(const Claim& running, const Claim& waiting, double load) {
+  return standing(running) - standing(waiting) > std::max(kQuantum, kLoadsWorth * load);
 }
 
 }  // namespace toile::jobs

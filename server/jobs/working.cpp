@@ -79,7 +79,7 @@ bool QueueingJobService::work_once(WorkerKind kind) {
   control.hands = job->hands.get();
   control.shape = job->shape.get();
   control.one_frame = table_.is_stepping(*job);
-  control.make_room = [&] { return table_.is_to_make_room(*job, settings_.workers + settings_.max_parked); };
+  control.make_room = [&] { return table_.room_to_make(*job, settings_.workers + settings_.max_parked); };
   control.on_progress = [&](const JobProgress& progress) { table_.hear(*job, progress); };
   control.on_kept = [&] { come_further(job); };
   control.on_worked = [&](std::string_view phase, double seconds) { table_.charge(*job, phase, seconds); };

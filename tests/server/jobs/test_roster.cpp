@@ -9,6 +9,7 @@ namespace toile {
 namespace {
 
 using enum store::JobState;
+using jobs::MakeRoom;
 using jobs::WorkerKind;
 
 jobs::LiveJobPtr job(const std::string& id, const store::OwnerId& owner = "a",
@@ -56,32 +57,69 @@ TEST(JobRoster, GivesTheTurnToTheOwnerWhoHasHadLeast) {
   EXPECT_EQ(next(roster), "first");
   roster.charge(*first, 5);
   EXPECT_EQ(next(roster), "second");
-  EXPECT_TRUE(roster.is_to_make_room(*first, 9));
+  EXPECT_EQ(roster.room_to_make(*first, 9), MakeRoom::kInMemory);
 }
 
-TEST(JobRoster, GoesRoundThoseInMemoryWhereThereIsRoomForNoMore) {
+/// Owner a's drape runs, b's has made room in memory, c's has not begun.
+class CrowdedRoster : public testing::Test {
+ protected:
+  CrowdedRoster() {
+    for (const jobs::LiveJobPtr& each : {runs, begun}) {
+      each->run = std::make_unique<jobs::JobRun>(jobs::RunPlace{}, each->context, each->id, 1);
+      each->context.lease = 1;
+      roster.enter(each);
+    }
+    roster.enter(fresh);
+    roster.put(*begun, jobs::QueuePlace::kFront);
+    runs->held = true;
+  }
+
   jobs::JobRoster roster;
   const jobs::LiveJobPtr runs = job("runs", "a", kRunning), begun = job("begun", "b", kRunning),
                          fresh = job("fresh", "c");
-  for (const jobs::LiveJobPtr& each : {runs, begun}) {
-    each->run = std::make_unique<jobs::JobRun>(jobs::RunPlace{}, each->context, each->id, 1);
-    each->context.lease = 1;
-    roster.enter(each);
-  }
-  roster.enter(fresh);
-  roster.put(*begun, jobs::QueuePlace::kFront);  // it has made room before
-  runs->held = true;
+};
+
+TEST_F(CrowdedRoster, GivesTheTurnOfOneThatWouldBeOneTooManyForOneThatLeavesMemory) {
   roster.charge(*runs, 5);
   roster.charge(*begun, 5);
   EXPECT_EQ(next(roster), "fresh");
-  EXPECT_TRUE(roster.is_to_make_room(*runs, 3));
-  EXPECT_FALSE(roster.is_to_make_room(*runs, 2)) << "there is no room for a third, and begun has had as much";
+  EXPECT_EQ(roster.room_to_make(*runs, 3), MakeRoom::kInMemory);
+  EXPECT_EQ(roster.room_to_make(*runs, 2), MakeRoom::kAside);
+  EXPECT_EQ(roster.next(WorkerKind::kAny, 2)->id, "begun") << "while nobody has left";
+  EXPECT_EQ(roster.begun(), 2);
+  runs->held = false;
+  runs->aside = true;
+  EXPECT_EQ(roster.begun(), 1);
+  EXPECT_EQ(roster.next(WorkerKind::kAny, 2)->id, "fresh");
+}
+
+TEST_F(CrowdedRoster, LeavesInMemoryWhatMakesRoomForOneThere) {
   roster.charge(*runs, 5);
-  EXPECT_TRUE(roster.is_to_make_room(*runs, 2)) << "for begun, which lies there already";
+  EXPECT_EQ(roster.room_to_make(*runs, 2), MakeRoom::kInMemory) << "for begun, which comes before fresh";
   EXPECT_EQ(roster.next(WorkerKind::kAny, 2)->id, "begun") << "and that is who comes";
-  EXPECT_EQ(roster.next(WorkerKind::kAny, 3)->id, "fresh");
   begun->held = true;
   EXPECT_EQ(roster.next(WorkerKind::kAny, 2)->id, "fresh") << "rather than that a worker does nothing";
+}
+
+TEST_F(CrowdedRoster, TakesUpWhatIsCostlyToTakeUpLessOften) {
+  begun->aside = true;
+  begun->loads_in_s = 0.5;
+  fresh->row.lease.holder = "another";
+  roster.place(*fresh, false);
+  roster.charge(*runs, 4);
+  EXPECT_EQ(roster.room_to_make(*runs, 1), MakeRoom::kNot);
+  roster.charge(*runs, 1);
+  EXPECT_EQ(roster.room_to_make(*runs, 1), MakeRoom::kAside);
+  runs->loads_in_s = 0.1;
+  EXPECT_EQ(roster.room_to_make(*runs, 1), MakeRoom::kNot) << "it will have to be taken up as well";
+}
+
+TEST_F(CrowdedRoster, CountsThePausedThatTakeMemory) {
+  EXPECT_EQ(roster.parked(), 0);
+  begun->state = fresh->state = kPaused;
+  EXPECT_EQ(roster.parked(), 1);
+  begun->aside = true;
+  EXPECT_EQ(roster.parked(), 0);
 }
 
 TEST(JobRoster, LetsASuspectRunBeforeAllOthersAndAlone) {
@@ -92,7 +130,7 @@ TEST(JobRoster, LetsASuspectRunBeforeAllOthersAndAlone) {
   roster.enter(suspect);
   plain->held = true;
   EXPECT_EQ(next(roster), "") << "another runs";
-  EXPECT_FALSE(roster.is_to_make_room(*plain, 9)) << "what runs goes on until it ends";
+  EXPECT_EQ(roster.room_to_make(*plain, 9), MakeRoom::kNot) << "what runs goes on until it ends";
   plain->held = false;
   EXPECT_EQ(next(roster), "suspect");
   suspect->held = true;

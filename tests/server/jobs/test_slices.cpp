@@ -128,44 +128,120 @@ TEST_F(JobSlices, AStopKeepsWhatHasMadeRoomWhereItStands) {
   EXPECT_GT(publisher.log(batch).ended.back().first_step, 0) << "it went on from where it stood";
 }
 
-TEST_F(JobSlices, NoDrapeMakesRoomWhereThereIsNoMemoryForAnother) {
+TEST_F(JobSlices, WhereThereIsNoMemoryForAnotherADrapeMakesRoomByLeavingIt) {
   settings.max_parked = 0;
+  settings.checkpoint_every_s = 3600;
+  start_one();
+  const std::string batch = submit_as(kOwner, cloth_over_block(200, 1.5));
+  ASSERT_TRUE(publisher.wait_for_frames(batch, 1));
+  const std::string urgent = submit_as(kOwner, cloth_over_block(210), kInteractive);
+  ASSERT_TRUE(publisher.wait_for_frames(urgent, 1));
+  EXPECT_EQ(service->counts().in_memory, 1);
+  EXPECT_EQ(state(batch), store::JobState::kRunning) << "for all who look";
+  EXPECT_TRUE(store.checkpoint(kOwner, batch));
+  ASSERT_TRUE(publisher.wait_for_end(urgent));
+  ASSERT_TRUE(publisher.wait_for_end(batch));
+  EXPECT_EQ(hash_in(row(batch)), hash_of_alone(row(batch)));
+  EXPECT_EQ(hash_in(row(urgent)), hash_of_alone(row(urgent)));
+  EXPECT_EQ(row(batch).attempt, 1);
+  const auto log = publisher.log(batch);
+  EXPECT_EQ(log.topologies.size(), 1U) << "its viewers have its triangles";
+  for (std::size_t i = 1; i < log.frames.size(); ++i) {
+    EXPECT_EQ(log.frames[i]->seq, log.frames[i - 1]->seq + 1);
+    EXPECT_GT(log.frames[i]->step, log.frames[i - 1]->step) << "none is draped twice";
+  }
+}
+
+TEST_F(JobSlices, MoreDrapesThanThereIsMemoryForTakeTurnsAndEndInTheBytesOfOneGo) {
+  settings.max_parked = 1;
+  start_one();
+  std::vector<store::RequestContext> owners;
+  std::vector<std::string> jobs;
+  for (int i = 0; i < 5; ++i) {
+    owners.emplace_back("owner" + std::to_string(i));
+    jobs.push_back(submit_as(owners.back(), cloth_over_block(1000 + 10 * i, 3)));
+  }
+  for (const std::string& job : jobs) {
+    ASSERT_TRUE(publisher.wait_for_frames(job, 1));
+    EXPECT_LE(service->counts().in_memory, 2);
+  }
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    EXPECT_FALSE(store::is_final(state(jobs[i], owners[i]))) << "all have begun before the first has ended";
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    ASSERT_TRUE(publisher.wait_for_end(jobs[i]));
+    const store::JobRow ended = store.job(owners[i], jobs[i]).value();
+    ASSERT_EQ(ended.state, store::JobState::kSucceeded) << ended.reason;
+    const auto input = jobs::drape_input_of(documents, owners[i], ended.document, ended.files).value();
+    EXPECT_EQ(hash_in(ended), hash_of(drape::drape(input, {}, nullptr).value().positions));
+    EXPECT_EQ(publisher.log(jobs[i]).topologies.size(), 1U);
+  }
+}
+
+TEST_F(JobSlices, WhatWasPutAsideCanBePausedResumedEditedAndCancelled) {
+  settings.max_parked = 0;
+  start_one();
+  const std::string batch = submit_as(kOwner, cloth_over_block(200, kEndless));
+  ASSERT_TRUE(publisher.wait_for_frames(batch, 2));
+  const std::string urgent = submit_as(kOwner, cloth_over_block(210, kEndless), kInteractive);
+  ASSERT_TRUE(publisher.wait_for_frames(urgent, 1));
+  ASSERT_TRUE(service->pause(kOwner, batch)) << "it takes no memory";
+  ASSERT_TRUE(service->resume(kOwner, batch));
+  ASSERT_TRUE(service->cancel(kOwner, urgent));
+  const std::size_t had = frames(batch);
+  ASSERT_TRUE(publisher.wait_for_frames(batch, had + 2)) << "it goes on";
+  const std::string next = submit_as(kOwner, cloth_over_block(220, kEndless), kInteractive);
+  ASSERT_TRUE(publisher.wait_for_frames(next, 1));
+  const auto edited = service->go_on(kOwner, batch, "");
+  ASSERT_TRUE(edited) << to_string(edited.error());
+  EXPECT_TRUE(row(edited->id).files.contains(jobs::kShapeFile)) << "from how it hung when it was put aside";
+  EXPECT_EQ(state(batch), store::JobState::kCancelled);
+  EXPECT_FALSE(store.checkpoint(kOwner, batch));
+}
+
+TEST_F(JobSlices, WhatTheStoreDoesNotTakeStaysInMemory) {
+  settings.max_parked = 0;
+  store.on_put_checkpoint = [](const std::string&) {
+    return Error{"store.full", "the disk has no room", "", ErrorKind::kNoRoom};
+  };
   start_one();
   const std::string batch = submit_as(kOwner, cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_frames(batch, 1));
   const std::string urgent = submit_as(kOwner, cloth_over_block(210), kInteractive);
   ASSERT_TRUE(publisher.wait_for_frames(urgent, 1));
-  EXPECT_TRUE(store::is_final(state(batch)));
+  EXPECT_EQ(state(batch), store::JobState::kSucceeded) << "it went on to its end";
 }
 
-TEST_F(JobSlices, TheDrapesThatThereIsMemoryForTakeTurnsAndNoOtherBegins) {
-  settings.max_parked = 1;
+TEST_F(JobSlices, AStopFindsWhatWasPutAsideWhereItStands) {
+  settings.max_parked = 0;
+  settings.checkpoint_every_s = 3600;
   start_one();
-  const std::string ann = submit_as(kOwner, cloth_over_block(200, kEndless)),
-                    bob = submit_as(kBob, cloth_over_block(200, kEndless));
-  ASSERT_TRUE(publisher.wait_for_frames(bob, 1)) << "ann made room for it";
-  const std::string cid =
-      submit_as(store::RequestContext("cid"), cloth_over_block(200, kEndless), kInteractive);
-  for (int turn = 0; turn < 2; ++turn) {
-    ASSERT_TRUE(publisher.wait_for_frames(ann, frames(ann) + 1));
-    ASSERT_TRUE(publisher.wait_for_frames(bob, frames(bob) + 1));
-  }
-  EXPECT_EQ(publisher.log(cid).topologies.size(), 0U);
+  const std::string batch = submit_as(kOwner, cloth_over_block(200, 1.5));
+  ASSERT_TRUE(publisher.wait_for_frames(batch, 2));
+  const std::string urgent = submit_as(kOwner, cloth_over_block(210, kEndless), kInteractive);
+  ASSERT_TRUE(publisher.wait_for_frames(urgent, 1));
+  service->stop();
+  EXPECT_EQ(state(batch), store::JobState::kQueued);
+  make(1);
+  ASSERT_TRUE(service->start());
+  ASSERT_TRUE(service->cancel(kOwner, urgent));
+  ASSERT_TRUE(publisher.wait_for_end(batch, 2));
+  EXPECT_EQ(hash_in(row(batch)), hash_of_alone(row(batch)));
+  EXPECT_GT(publisher.log(batch).ended.back().first_step, 0);
 }
 
 TEST_F(JobSlices, AnExpressWorkerBeginsWhatOthersHaveNoTimeFor) {
-  settings.max_parked = 0;  // so that nobody makes room, as nobody does while it meshes or waits for pictures
   settings.express = 1;
   make(1);
   ASSERT_TRUE(service->start());
-  const std::string batch = submit_as(kOwner, cloth_over_block(200, kEndless));
-  const std::string also_batch = submit_as(kOwner, cloth_over_block(205, kEndless));
-  ASSERT_TRUE(publisher.wait_for_frames(batch, 1));
+  // One that makes no room, as none does while it meshes or waits for pictures.
+  const std::string busy = submit_as(kOwner, cloth_over_block(200, kEndless), kInteractive);
+  const std::string batch = submit_as(kOwner, cloth_over_block(205, kEndless));
+  ASSERT_TRUE(publisher.wait_for_frames(busy, 1));
   const std::string urgent = submit_as(kOwner, cloth_over_block(210), kInteractive);
   ASSERT_TRUE(publisher.wait_for_end(urgent));
   EXPECT_EQ(state(urgent), store::JobState::kSucceeded);
-  EXPECT_EQ(state(batch), store::JobState::kRunning);
-  EXPECT_EQ(state(also_batch), store::JobState::kQueued) << "batch work is not for it";
+  EXPECT_EQ(state(busy), store::JobState::kRunning);
+  EXPECT_EQ(state(batch), store::JobState::kQueued) << "batch work is not for it";
 }
 
 }  // namespace

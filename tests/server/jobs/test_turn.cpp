@@ -37,6 +37,13 @@ TEST(Turn, ARunningDrapeMakesRoomOnlyForOneThatStandsClearlyBetter) {
   EXPECT_FALSE(jobs::makes_room({5, kInteractive}, {5, kBatch}));
 }
 
+TEST(Turn, WhatItCostsToTakeADrapeUpIsToBeWorthIt) {
+  EXPECT_FALSE(jobs::makes_room({5, kBatch}, {3, kBatch}, 0.5));
+  EXPECT_TRUE(jobs::makes_room({8, kBatch}, {3, kBatch}, 0.5));
+  EXPECT_TRUE(jobs::makes_room({5, kBatch}, {3.5, kBatch}, 0.01)) << "no more often than without";
+  EXPECT_FALSE(jobs::makes_room({5, kBatch}, {4.5, kBatch}, 0.01));
+}
+
 /// Owners whose drapes take turns on a few workers, a slice at a time, as the service has them do.
 class Simulation {
  public:
