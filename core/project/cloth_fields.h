@@ -36,6 +36,11 @@ void describe(Visitor& v, project::ProjectDxf& dxf) {
   v.choice("units", dxf.units, "Length unit of the file, when the file does not say or says it wrong.",
            {"mm", "cm", "inch"});
   v.field("size", dxf.size, "Size to take of a graded file, instead of its sample size.");
+  v.chosen_names(
+      "layers", dxf.layers,
+      "What layers of the file stand for, by their names there, instead of what their numbers (AAMA) "
+      "and names say.",
+      {"cut", "sew", "internal", "cutout", "mirror", "grain", "notch", "drill", "turn", "curve", "ignore"});
 }
 
 /// An edge as the document has it, and as an edit draws one.

@@ -24,6 +24,8 @@ struct ProjectDxf {
   std::vector<Vec2> corners;  ///< mm; where edges begin; empty: wherever the outline bends sharply
   std::string units;          ///< "mm", "cm", "inch"; empty: what the file says
   std::string size = {};      ///< of a graded file; empty: its sample size
+  /// What layers of the file stand for ("sew", "cut", …), by their names; the others as usual.
+  std::vector<std::pair<std::string, std::string>> layers = {};
   friend bool operator==(const ProjectDxf&, const ProjectDxf&) = default;
 };
 

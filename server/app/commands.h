@@ -141,14 +141,24 @@ struct SweepOptions {
 ExitCode sweep_command(const SweepOptions& options);
 
 struct PatternImportOptions {
-  std::string file;  ///< path of a DXF file
-  std::string size;  ///< of a graded file; empty: its sample size
-  std::string unit;  ///< mm, cm or inch; empty: decided
+  std::string file;                 ///< path of a DXF file
+  std::string size;                 ///< of a graded file; empty: its sample size
+  std::string unit;                 ///< mm, cm or inch; empty: decided
+  std::vector<std::string> layers;  ///< "3=sew": what layers stand for
   bool json = false;
   bool no_seams = false;  ///< leave out the search for seams, which may take seconds
 };
 
 ExitCode pattern_import_command(const PatternImportOptions& options);
+
+struct PatternLayersOptions {
+  std::string file;                 ///< path of a DXF file
+  std::vector<std::string> layers;  ///< as of an import
+  bool json = false;
+};
+
+/// Tells the layers of a DXF file, also of one in which no piece can be found.
+ExitCode pattern_layers_command(const PatternLayersOptions& options);
 
 struct PatternExportOptions {
   std::string project;       ///< path of the document
@@ -160,10 +170,11 @@ struct PatternExportOptions {
 ExitCode pattern_export_command(const PatternExportOptions& options);
 
 struct ProjectNewOptions {
-  std::string pattern;       ///< path of a DXF file or a GarmentCode specification
-  std::string body;          ///< path of a mesh
-  std::string out;           ///< path of the document
-  double accept_seams = -1;  ///< least confidence of proposals that become seams; negative: none do
+  std::string pattern;              ///< path of a DXF file or a GarmentCode specification
+  std::string body;                 ///< path of a mesh
+  std::string out;                  ///< path of the document
+  double accept_seams = -1;         ///< least confidence of proposals that become seams; negative: none do
+  std::vector<std::string> layers;  ///< as of an import
   bool json = false;
 };
 

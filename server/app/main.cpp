@@ -15,8 +15,10 @@
 #include "server/app/exit_codes_text.h"
 #include "server/app/fabric_verbs.h"
 #include "server/app/help_verbs.h"
+#include "server/app/layer_option.h"
 #include "server/app/measure_option.h"
 #include "server/app/mesh_reader.h"
+#include "server/app/pattern_verbs.h"
 #include "server/app/result_verbs.h"
 #include "server/app/service_verbs.h"
 #include "server/app/usage.h"
@@ -32,8 +34,6 @@ struct Options {
   BodyMakeOptions body_make;
   BodyMeasureOptions body_measure;
   BodyPresetsOptions body_presets;
-  PatternImportOptions import;
-  PatternExportOptions exporting;
   ProjectNewOptions project_new;
   ProjectArrangeOptions arrange;
   SampleOptions sample;
@@ -179,45 +179,6 @@ CLI::App* add_body_measure(CLI::App& body, BodyMeasureOptions& measure) {
   return verb;
 }
 
-CLI::App* add_pattern_import(CLI::App& pattern, PatternImportOptions& import) {
-  CLI::App* verb =
-      pattern.add_subcommand("import", "Read a DXF file; say what it holds and what became of it");
-  verb->add_option("file", import.file, "DXF file: AAMA, ASTM or plain, text or binary, R10 or later")
-      ->required();
-  verb->add_option("--size", import.size, "Size to take of a graded file (default: its sample size)");
-  verb->add_option("--unit", import.unit, "Unit of the drawing (default: decided by what the file says)")
-      ->check(CLI::IsMember({"mm", "cm", "inch"}));
-  CLI::Option* json =
-      verb->add_flag("--json", import.json, "Print as JSON, with every entity's fate and its lines");
-  verb->add_flag("--no-seams", import.no_seams, "Leave out the proposals of seams, which take the longest")
-      ->needs(json);
-  verb->footer(std::string("Examples:\n"
-                           "  toile pattern import shirt.dxf\n"
-                           "  toile pattern import shirt.dxf --size 42 --unit cm --json\n\n") +
-               kExitCodes);
-  return verb;
-}
-
-CLI::App* add_pattern_export(CLI::App& pattern, PatternExportOptions& exporting) {
-  CLI::App* verb = pattern.add_subcommand("export", "Write a project's pieces as DXF, or to print at 1:1");
-  verb->add_option("project", exporting.project, "Project document")->required();
-  verb->add_option("-o,--out", exporting.out,
-                   "File to write: .dxf (AAMA's layers), .svg (one sheet) or .pdf (pages)")
-      ->required();
-  verb->add_option("--paper", exporting.paper, "Of a .pdf: its pages are glued to one sheet")
-      ->check(CLI::IsMember({"a4", "a3", "a0", "letter"}))
-      ->capture_default_str();
-  verb->add_flag("--json", exporting.json, "Print as JSON");
-  verb->footer(
-      std::string(
-          "Printed sheets show the lines that are sewn, without seam allowance, and a square to measure.\n\n"
-          "Examples:\n"
-          "  toile pattern export samples/skirt/project.json --out skirt.dxf\n"
-          "  toile pattern export samples/skirt/project.json --out skirt.pdf --paper a3\n\n") +
-      kExitCodes);
-  return verb;
-}
-
 CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
   CLI::App* verb = project.add_subcommand("new", "Make a project of a pattern and a body");
   verb->add_option("--pattern", options.pattern, "DXF file, or GarmentCode specification (JSON)")->required();
@@ -229,6 +190,7 @@ CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
           "Take the seams proposed with this confidence or more, those of 0.65 whose edges nothing surer\n"
           "wants, and likely ones (0.5) of pieces that nothing surer holds on (default: take none)")
       ->check(CLI::Range(0.0, 1.0));
+  add_layer_option(*verb, options.layers);
   verb->add_flag("--json", options.json, "Print as JSON");
   verb->footer(
       std::string(
@@ -283,10 +245,7 @@ ExitCode run(int argc, char** argv) {
   body_presets->add_flag("--json", options.body_presets.json, "Print as JSON");
   ServiceVerbs service(app);
   AccountVerbs accounts(app);
-  CLI::App* pattern = app.add_subcommand("pattern", "Pattern files: read them, write them");
-  pattern->require_subcommand(1);
-  const CLI::App* import = add_pattern_import(*pattern, options.import);
-  const CLI::App* exporting = add_pattern_export(*pattern, options.exporting);
+  PatternVerbs pattern(app);
   FabricVerbs fabric(app);
   CLI::App* project = app.add_subcommand("project", "Project documents: make one, place its pieces");
   project->require_subcommand(1);
@@ -307,12 +266,11 @@ ExitCode run(int argc, char** argv) {
   if (body_measure->parsed()) return body_measure_command(options.body_measure);
   if (body_presets->parsed()) return body_presets_command(options.body_presets);
   if (const std::optional<ExitCode> code = fabric.run()) return *code;
+  if (const std::optional<ExitCode> code = pattern.run()) return *code;
   if (const std::optional<ExitCode> code = service.run()) return *code;
   if (const std::optional<ExitCode> code = accounts.run()) return *code;
   if (const std::optional<ExitCode> code = results.run()) return *code;
   if (const std::optional<ExitCode> code = help.run()) return *code;
-  if (import->parsed()) return pattern_import_command(options.import);
-  if (exporting->parsed()) return pattern_export_command(options.exporting);
   if (sample->parsed()) return sample_command(options.sample);
   if (arrange->parsed()) return project_arrange_command(options.arrange);
   return project_new_command(options.project_new);

@@ -14,6 +14,7 @@
 #include "core/project/resolve/resolve.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/layer_option.h"
 #include "server/app/mesh_reader.h"
 #include "server/documents/pattern_file.h"
 
@@ -33,8 +34,9 @@ Result<std::string> bytes_of(const std::string& path) {
   return std::string{std::istreambuf_iterator<char>(in), {}};
 }
 
-dxf::DxfSettings settings_of(const PatternImportOptions& options) {
+Result<dxf::DxfSettings> settings_of(const PatternImportOptions& options) {
   dxf::DxfSettings settings;
+  settings.layers = TRY(read_layers(options.layers));
   if (options.unit == "mm") settings.mm_per_unit = 1;
   if (options.unit == "cm") settings.mm_per_unit = 10;
   if (options.unit == "inch") settings.mm_per_unit = 25.4;
@@ -77,6 +79,18 @@ void print_piece(const dxf::DxfPiece& piece) {
       piece.line);
 }
 
+Error no_layers(const std::string& file) {
+  return {"pattern.no_layers", "a GarmentCode specification has no layers", file};
+}
+
+void print_layer(const dxf::DxfLayerUse& layer) {
+  std::string kinds;
+  for (const auto& [type, count] : layer.kinds)
+    kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + type;
+  std::printf("layer %s: %s, read as %s%s\n", layer.name.c_str(), kinds.c_str(),
+              std::string(dxf::read_as(layer)).c_str(), layer.given ? " (as told)" : "");
+}
+
 void print_drawing(const dxf::DxfDrawing& drawing) {
   if (!drawing.style.empty()) std::printf("%s\n", drawing.style.c_str());
   std::printf("unit %s, confidence %s\n", drawing.unit.name.c_str(),
@@ -84,6 +98,8 @@ void print_drawing(const dxf::DxfDrawing& drawing) {
   for (const std::string& evidence : drawing.unit.evidence) std::printf("  %s\n", evidence.c_str());
   if (drawing.sizes.size() > 1)
     std::printf("size %s of %s\n", drawing.size.c_str(), join(drawing.sizes).c_str());
+  for (const dxf::DxfLayerUse& layer : drawing.layers)
+    if (layer.given) print_layer(layer);
   for (const dxf::DxfPiece& piece : drawing.pieces) print_piece(piece);
   const dxf::DxfReport& r = drawing.report;
   std::printf("entities: %zu in the file, %zu kept, %zu converted, %zu dropped (--json lists them)\n",
@@ -105,6 +121,7 @@ void print_specification(const create::NewProject& made) {
 }
 
 ExitCode import_specification(const std::string& text, const PatternImportOptions& options) {
+  if (!options.layers.empty()) return fail(no_layers(options.file), options.json);
   const Result<create::NewProject> made = create::new_project(text, {});
   if (!made) return fail(in_file(made.error(), options.file), options.json);
   if (options.json) {
@@ -137,7 +154,9 @@ ExitCode pattern_import_command(const PatternImportOptions& options) {
   const Result<std::string> text = bytes_of(options.file);
   if (!text) return fail(text.error(), options.json);
   if (create::is_specification(*text)) return import_specification(*text, options);
-  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(*text, settings_of(options));
+  const Result<dxf::DxfSettings> settings = settings_of(options);
+  if (!settings) return fail(settings.error(), options.json);
+  const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(*text, *settings);
   if (!drawing) return fail(in_file(drawing.error(), options.file), options.json);
   if (options.json) {
     const std::vector<json::JsonValue> seams =
@@ -145,6 +164,26 @@ ExitCode pattern_import_command(const PatternImportOptions& options) {
     std::printf("%s", json::write_json(create::import_json(*drawing, seams)).c_str());
   } else {
     print_drawing(*drawing);
+  }
+  return kDone;
+}
+
+ExitCode pattern_layers_command(const PatternLayersOptions& options) {
+  const Result<std::string> text = bytes_of(options.file);
+  if (!text) return fail(text.error(), options.json);
+  if (create::is_specification(*text)) return fail(no_layers(options.file), options.json);
+  dxf::DxfSettings settings;
+  const Result<dxf::DxfLayerMap> given = read_layers(options.layers);
+  if (!given) return fail(given.error(), options.json);
+  settings.layers = *given;
+  const Result<std::vector<dxf::DxfLayerUse>> layers = dxf::read_dxf_layers(*text, settings);
+  if (!layers) return fail(in_file(layers.error(), options.file), options.json);
+  if (options.json) {
+    std::printf("%s", json::write_json(std::vector<json::JsonMember>{
+                                           {"file", options.file}, {"layers", create::layers_json(*layers)}})
+                          .c_str());
+  } else {
+    for (const dxf::DxfLayerUse& layer : *layers) print_layer(layer);
   }
   return kDone;
 }

@@ -17,6 +17,7 @@
 #include "server/app/bring_file.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/layer_option.h"
 #include "server/app/mesh_reader.h"
 #include "server/documents/arrangement.h"
 
@@ -81,6 +82,9 @@ Result<create::NewProject> make(const ProjectNewOptions& options) {
   const std::string text = TRY(bytes_of(options.pattern));
   const mesh_import::RepairedMesh read = TRY(own_mesh_importer().file(options.body, {}));
   create::NewProjectSettings settings;
+  settings.dxf.layers = TRY(read_layers(options.layers));
+  if (!options.layers.empty() && create::is_specification(text))
+    return Error{"pattern.no_layers", "a GarmentCode specification has no layers", options.pattern};
   settings.name = fs::path(options.pattern).stem().string();
   settings.pattern_file = fs::path(options.pattern).filename().string();
   settings.body_file = fs::path(options.body).filename().string();

@@ -22,6 +22,11 @@ Result<dxf::DxfSettings> settings_of(const ImportWishes& wishes) {
   dxf::DxfSettings settings;
   settings.max_bytes = kMostDxfBytes;
   if (!wishes.size.empty()) settings.size = wishes.size;
+  for (const auto& [layer, word] : wishes.layers) {
+    const Result<dxf::DxfRole> role = dxf::role_named(word);
+    if (!role) return json::error_at(json::pointer_to("/layers", layer), role.error());
+    settings.layers[layer] = *role;
+  }
   if (wishes.unit.empty()) return settings;
   if (wishes.unit == "mm") settings.mm_per_unit = 1;
   if (wishes.unit == "cm") settings.mm_per_unit = 10;
@@ -37,6 +42,9 @@ json::JsonValue source_of(const dxf::DxfPiece& piece, const dxf::DxfDrawing& dra
   const std::string& unit = drawing.unit.name;
   if (unit == "mm" || unit == "cm" || unit == "inch") from.push_back({"units", unit});
   if (!drawing.size.empty()) from.push_back({"size", drawing.size});
+  std::vector<json::JsonMember> layers;
+  for (const auto& [layer, word] : create::given_layers(drawing)) layers.push_back({layer, word});
+  if (!layers.empty()) from.push_back({"layers", std::move(layers)});
   return from;
 }
 
@@ -126,7 +134,10 @@ Result<json::JsonValue> import_dxf(const std::string& bytes, const ImportWishes&
                                    const store::AssetRow& asset) {
   const dxf::DxfSettings settings = TRY(settings_of(wishes));
   const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(bytes, settings);
-  if (!drawing) return json::error_at(clipped(asset.name), drawing.error());
+  if (!drawing) {
+    const bool is_of_layers = drawing.error().code == "dxf.unknown_layer";
+    return json::error_at(is_of_layers ? "/layers" : clipped(asset.name), drawing.error());
+  }
   std::optional<create::NewProject> made;
   if (Result<create::NewProject> project = create::new_project(*drawing, project_of(asset)); project)
     made = std::move(*project);  // else the report tells of each piece that cannot be cut
@@ -143,6 +154,7 @@ Result<json::JsonValue> import_specification(const std::string& bytes, const Imp
                                              const store::AssetRow& asset) {
   if (!wishes.unit.empty()) return Error{"documents.unit", "a specification says its unit itself", "/unit"};
   if (!wishes.size.empty()) return Error{"documents.size", "a specification has one size", "/size"};
+  if (!wishes.layers.empty()) return Error{"documents.layers", "a specification has no layers", "/layers"};
   Result<create::NewProject> made = create::new_project(bytes, project_of(asset));
   if (!made) return json::error_at(clipped(asset.name), made.error());
   std::vector<Pictured> pictures;
@@ -164,6 +176,20 @@ Result<std::string> import_pattern(Documents& documents, const store::RequestCon
   const json::JsonValue report =
       TRY(row.kind == "dxf" ? import_dxf(bytes, wishes, row) : import_specification(bytes, wishes, row));
   return json::write_json_line(report) + "\n";
+}
+
+Result<std::string> pattern_layers(Documents& documents, const store::RequestContext& context,
+                                   const std::string& asset) {
+  const store::AssetRow row = TRY(documents.store().asset(context, asset));
+  if (row.kind != "dxf") return Error{"documents.wrong_kind", in_quotes(row.name) + " is no DXF file", ""};
+  const std::string bytes = TRY(documents.store().asset_bytes(context, asset));
+  dxf::DxfSettings settings;
+  settings.max_bytes = kMostDxfBytes;
+  const Result<std::vector<dxf::DxfLayerUse>> layers = dxf::read_dxf_layers(bytes, settings);
+  if (!layers) return json::error_at(clipped(row.name), layers.error());
+  return json::write_json_line(std::vector<json::JsonMember>{
+             {"asset", row.id}, {"file", row.name}, {"layers", create::layers_json(*layers)}}) +
+         "\n";
 }
 
 }  // namespace toile::documents

@@ -101,6 +101,72 @@ TEST(PatternCommand, ImportTakesTheSizeAndUnitAskedFor) {
   fs::remove_all(folder);
 }
 
+/// A square of 300 mm on layer 5, and a line in it on layer 1.
+const std::string kOdd =
+    "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n5\n90\n4\n70\n1\n10\n0\n20\n0\n10\n300\n20\n0\n10\n300\n20\n3"
+    "00\n10\n0\n20\n"
+    "300\n0\nLINE\n8\n1\n10\n20\n20\n20\n11\n20\n21\n70\n0\nENDSEC\n0\nEOF\n";
+
+TEST(PatternCommand, LayersAreListedAndToldOtherwise) {
+  const fs::path folder = fresh_folder("toile_pattern");
+  const fs::path file = folder / "odd.dxf";
+  write_text(file, kOdd);
+  const Ran none = run_toile({"pattern", "import", file});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(none.err.starts_with("toile: dxf.open_outline: ")) << none.err;
+  const Ran listed = run_toile({"pattern", "layers", file});
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  EXPECT_EQ(listed.out, "layer 1: 1 LINE, read as cut\nlayer 5: 1 LWPOLYLINE, read as grade\n");
+  const Ran told =
+      run_toile({"pattern", "import", "--layer", "5=cut", "--layer", "1=grain", "--unit", "mm", file});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_TRUE(has(told.out, "300.0 x 300.0 mm")) << told.out;
+  EXPECT_TRUE(has(told.out, "grain 90.0 deg")) << told.out;
+  EXPECT_TRUE(has(told.out, "layer 5: 1 LWPOLYLINE, read as cut (as told)")) << told.out;
+  const auto tree = json::parse_json(
+      run_toile({"pattern", "import", file, "--layer", "5=cut", "--json", "--no-seams"}).out);
+  ASSERT_TRUE(tree);
+  EXPECT_EQ(tree->find("layers")->array()->size(), 2u);
+  EXPECT_EQ(*tree->find("layers")->array()->back().find("read_as")->text(), "cut");
+  fs::remove_all(folder);
+}
+
+TEST(PatternCommand, LayersThatAreToldWronglyAreRefused) {
+  const fs::path folder = fresh_folder("toile_pattern");
+  const fs::path file = folder / "odd.dxf";
+  write_text(file, kOdd);
+  const auto refused = [&](const char* layer) {
+    return run_toile({"pattern", "layers", file, "--layer", layer});
+  };
+  for (const auto& [layer, start] :
+       std::vector<std::pair<const char*, const char*>>{{"5", "toile: pattern.layer: "},
+                                                        {"5=cutt", "toile: dxf.unknown_role: "},
+                                                        {"6=cut", "toile: dxf.unknown_layer: "}}) {
+    EXPECT_EQ(refused(layer).code, 2) << layer;
+    EXPECT_TRUE(refused(layer).err.starts_with(start)) << refused(layer).err;
+  }
+  EXPECT_TRUE(has(refused("5=cutt").err, "(--layer 5=cutt)")) << refused("5=cutt").err;
+  write_text(folder / "two.json", "{\"pattern\": {}}");
+  EXPECT_TRUE(
+      run_toile({"pattern", "layers", folder / "two.json"}).err.starts_with("toile: pattern.no_layers: "));
+  fs::remove_all(folder);
+}
+
+TEST(PatternCommand, AProjectKeepsTheLayersThatItWasToldForTheNextReading) {
+  const fs::path folder = fresh_folder("toile_pattern");
+  write_text(folder / "odd.dxf", kOdd);
+  write_text(folder / "post.obj", kPost);
+  const Ran made =
+      run_toile({"project", "new", "--pattern", folder / "odd.dxf", "--body", folder / "post.obj", "--layer",
+                 "5=cut", "--layer", "1=grain", "--out", folder / "out" / "project.json"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  const Ran out =
+      run_toile({"pattern", "export", folder / "out" / "project.json", "--out", folder / "again.dxf"});
+  EXPECT_EQ(out.code, 0) << out.err;
+  EXPECT_TRUE(has(run_toile({"pattern", "import", folder / "again.dxf"}).out, "300.0 x 300.0 mm"));
+  fs::remove_all(folder);
+}
+
 TEST(PatternCommand, ImportRefusesWhatIsNoFile) {
   EXPECT_TRUE(run_toile({"pattern", "import", "/nowhere/a.dxf"}).err.starts_with("toile: pattern.file: "));
   EXPECT_TRUE(run_toile({"pattern", "import", "/tmp"}).err.starts_with("toile: pattern.file: "));

@@ -153,6 +153,7 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     history: async () => [],
     proposals: async () => [],
     importPattern: missing,
+    layers: async () => [],
     bodies: async () => [],
     images: async () => [],
     fabrics: async () => [],

@@ -62,6 +62,57 @@ describe('a pattern that was dropped', () => {
     expect(asked).toEqual(['a_shirt.dxf  ', 'a_shirt.dxf inch ', 'a_shirt.dxf inch 40']);
   });
 
+  it('is read again with the layers that a person says, and as usual once they are taken back', async () => {
+    const asked: unknown[] = [];
+    const { imports, state } = begin({
+      importPattern: async (_asset, _unit, _size, layers) => {
+        asked.push(layers);
+        return importOf();
+      },
+    });
+    await imports.follow(source());
+    await imports.takeLayer('3', 'sew');
+    await imports.takeLayer('5', 'cut');
+    await imports.takeLayer('3', '');
+    await imports.takeNoLayers();
+    expect(asked).toEqual([{}, { '3': 'sew' }, { '3': 'sew', '5': 'cut' }, { '5': 'cut' }, {}]);
+    expect(state.importing.value!.rereading).toBe(false);
+  });
+
+  it('shows what it was until it is read again, and is made no project of meanwhile', async () => {
+    const answers: (() => void)[] = [];
+    const { imports, state } = begin({
+      importPattern: (_asset, _unit, _size, layers) =>
+        Object.keys(layers).length === 0
+          ? Promise.resolve(importOf())
+          : new Promise((done) => answers.push(() => done(importOf({ style: JSON.stringify(layers) })))),
+    });
+    await imports.follow(source());
+    const first = imports.takeLayer('3', 'sew');
+    const second = imports.takeLayer('3', 'cut');
+    expect(state.importing.value).toMatchObject({ rereading: true, report: { state: 'ready' } });
+    answers[0]!();
+    await first;
+    expect(valueOf(state.importing.value!.report)?.style).toBe(''); // it was asked otherwise in the meantime
+    answers[1]!();
+    await second;
+    expect(valueOf(state.importing.value!.report)?.style).toBe('{"3":"cut"}');
+    expect(state.importing.value!.rereading).toBe(false);
+  });
+
+  it('that holds no piece as usual shows its layers, and is read once they are told', async () => {
+    const { imports, state } = begin({
+      importPattern: (_asset, _unit, _size, layers) =>
+        layers['5'] === 'cut' ? Promise.resolve(importOf()) : Promise.reject(new ApiError(422, 'dxf.no_outline', 'none')),
+      layers: async () => importOf().layers,
+    });
+    await imports.follow(source());
+    expect(state.importing.value!.report.state).toBe('failed');
+    expect(state.importing.value!.fileLayers.map(({ name }) => name)).toEqual(['1', '15', 'A']);
+    await imports.takeLayer('5', 'cut');
+    expect(state.importing.value!.report.state).toBe('ready');
+  });
+
   it('becomes a project with its file, seams and body, and is arranged', async () => {
     const sent: { document: Record<string, unknown>; files: Record<string, string> }[] = [];
     const { imports, made, state } = begin({

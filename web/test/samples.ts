@@ -1,7 +1,7 @@
 // What the service says of small things, for tests that look at one part of it.
 
 import type { Figure, Finding, ProjectBody } from '../src/api/dressing';
-import type { Fabric, Import, ImportedPiece, Report } from '../src/api/types';
+import type { Fabric, Import, ImportedPiece, Layer, Report } from '../src/api/types';
 import { seamOf } from './fakes';
 
 export const findingOf = (more: Partial<Finding> = {}): Finding => ({
@@ -59,6 +59,15 @@ export const importedPiece = (name: string, more: Partial<ImportedPiece> = {}): 
 });
 
 /** What the service reads from shirt.dxf. */
+export const layerOf = (name: string, read_as: Layer['read_as'], more: Partial<Layer> = {}): Layer => ({
+  name,
+  read_as,
+  given: false,
+  count: 3,
+  kinds: [{ type: 'POLYLINE', count: 3 }],
+  ...more,
+});
+
 export const importOf = (more: Partial<Import> = {}): Import => ({
   asset: 'a_1',
   file: 'shirt.dxf',
@@ -67,6 +76,7 @@ export const importOf = (more: Partial<Import> = {}): Import => ({
   sizes: ['38', '40'],
   size: '38',
   sample_size: '38',
+  layers: [layerOf('1', 'cut'), layerOf('15', 'text', { kinds: [{ type: 'TEXT', count: 2 }] }), layerOf('A', 'other')],
   pieces: [
     importedPiece('front'),
     importedPiece('sleeve', { quantity: 2, mirrored: 1 }),

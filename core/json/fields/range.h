@@ -9,6 +9,7 @@
 //   file(key, place, meaning, need)            a string that names a file
 //   choice(key, place, meaning, {words}, need) a string out of a few; absent: stays as it is
 //   shared_choice(name, meaning, key, place, {words})    the same, where several objects have it
+//   chosen_names(key, place, meaning, {words})    an object of names, each with a string out of a few
 //   exactly_one(key, key, …)      of these keys, one must be there
 //   unless(key, {keys})           these keys must be there where that one is not
 //
@@ -19,6 +20,9 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace toile::fields {
 
@@ -35,6 +39,10 @@ inline constexpr Range kAnything{};
 inline constexpr std::size_t kLongestText = 200;  ///< bytes of a name or a file name
 
 using Words = std::initializer_list<const char*>;
+
+/// Names, each with a word.
+using ChosenNames = std::vector<std::pair<std::string, std::string>>;
+inline constexpr std::size_t kMostNames = 1000;
 
 /// What holds for an element of a list, and what it means.
 struct ElementRule {

@@ -155,6 +155,7 @@ struct KeyNames {
   void shared_choice(const char*, const char*, std::string_view key, std::string&, Words) {
     keys.emplace_back(key);
   }
+  void chosen_names(std::string_view key, ChosenNames&, const char*, Words) { keys.emplace_back(key); }
   template <typename... Keys>
   void exactly_one(Keys...) {}
   void unless(std::string_view, Words) {}
@@ -186,10 +187,16 @@ class FieldReader {
               Need need = Need::kOptional) {
     field(key, out, meaning, need);
     if (at_.error || !at_.value.find(key)) return;
-    const std::vector<std::string> names(words.begin(), words.end());
-    if (std::find(names.begin(), names.end(), out) != names.end()) return;
-    FieldPlace{at_.value, json::pointer_to(at_.pointer, key), at_.error}.fail(
-        "project.unknown_value", in_quotes(out) + " is not known; " + advice(out, names));
+    check_choice(json::pointer_to(at_.pointer, key), out, words);
+  }
+  void chosen_names(std::string_view key, ChosenNames& out, const char* meaning, Words words) {
+    field(key, out, meaning);
+    const std::string pointer = json::pointer_to(at_.pointer, key);
+    if (!at_.error && out.size() > kMostNames)
+      FieldPlace{at_.value, pointer, at_.error}.fail(
+          "project.out_of_range", "at most " + std::to_string(kMostNames) + " names may stand here");
+    for (const auto& [name, word] : out)
+      if (!at_.error) check_choice(json::pointer_to(pointer, name), word, words);
   }
   void shared_choice(const char*, const char* meaning, std::string_view key, std::string& out, Words words) {
     choice(key, out, meaning, words);
@@ -219,6 +226,13 @@ class FieldReader {
   }
 
  private:
+  void check_choice(const std::string& pointer, const std::string& given, Words words) {
+    const std::vector<std::string> names(words.begin(), words.end());
+    if (std::find(names.begin(), names.end(), given) != names.end()) return;
+    FieldPlace{at_.value, pointer, at_.error}.fail(
+        "project.unknown_value", in_quotes(given) + " is not known; " + advice(given, names));
+  }
+
   const FieldPlace& at_;
 };
 

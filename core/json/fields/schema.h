@@ -176,6 +176,12 @@ class SchemaWriter {
     add(key, definitions_.refer(name, [&] { return described(meaning, choice_schema(words)); }),
         Need::kOptional);
   }
+  void chosen_names(std::string_view key, ChosenNames&, const char* meaning, Words words) {
+    const std::vector<json::JsonMember> schema{{"type", std::string("object")},
+                                               {"maxProperties", static_cast<double>(kMostNames)},
+                                               {"additionalProperties", choice_schema(words)}};
+    add(key, described(meaning, schema), Need::kOptional);
+  }
   template <typename... Keys>
   void exactly_one(Keys... keys) {
     for (const char* key : {keys...}) {
@@ -233,6 +239,7 @@ struct ObjectName {
   void file(Said&&...) {}
   void choice(std::string_view, std::string&, const char*, Words, Need = Need::kOptional) {}
   void shared_choice(const char*, const char*, std::string_view, std::string&, Words) {}
+  void chosen_names(std::string_view, ChosenNames&, const char*, Words) {}
   template <typename... Keys>
   void exactly_one(Keys...) {}
   void unless(std::string_view, Words) {}

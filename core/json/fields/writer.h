@@ -93,6 +93,9 @@ struct FieldWriter {
   void shared_choice(const char*, const char* meaning, std::string_view key, std::string& value, Words) {
     field(key, value, meaning);
   }
+  void chosen_names(std::string_view key, ChosenNames& value, const char* meaning, Words) {
+    field(key, value, meaning);
+  }
   template <typename... Keys>
   void exactly_one(Keys...) {}
   void unless(std::string_view, Words) {}

@@ -1,26 +1,39 @@
 #include "core/pattern/dxf/layers.h"
 
-#include <map>
-#include <optional>
+#include <algorithm>
+#include <array>
+#include <utility>
 
+#include "core/base/names.h"
 #include "core/base/text.h"
 #include "core/pattern/dxf/words.h"
 
 namespace toile::dxf {
 namespace {
 
-/// The number of "1", "01", "Layer 1", "LAYER_14", "AAMA-8".
-std::optional<int> layer_number(const std::string& layer) {
-  std::string name = lower_case(layer);
-  for (const char* prefix : {"layer", "aama", "astm", "l"}) {
-    if (!name.starts_with(prefix)) continue;
-    name.erase(0, std::string(prefix).size());
-    break;
-  }
-  const std::size_t begin = name.find_first_not_of(" _-");
-  if (begin == std::string::npos) return std::nullopt;
-  return number_in<int>(std::string_view(name).substr(begin));
-}
+struct RoleWord {
+  DxfRole role;
+  std::string_view word;
+  bool can_be_given;
+};
+
+/// What a layer is given says what is drawn there; the other roles only follow from numbers and names.
+constexpr std::array<RoleWord, 16> kWords{{{DxfRole::kCut, "cut", true},
+                                           {DxfRole::kSew, "sew", true},
+                                           {DxfRole::kInternal, "internal", true},
+                                           {DxfRole::kCutout, "cutout", true},
+                                           {DxfRole::kMirror, "mirror", true},
+                                           {DxfRole::kGrain, "grain", true},
+                                           {DxfRole::kNotch, "notch", true},
+                                           {DxfRole::kDrill, "drill", true},
+                                           {DxfRole::kTurn, "turn", true},
+                                           {DxfRole::kCurve, "curve", true},
+                                           {DxfRole::kIgnored, "ignore", true},
+                                           {DxfRole::kGrade, "grade", false},
+                                           {DxfRole::kGuide, "guide", false},
+                                           {DxfRole::kText, "text", false},
+                                           {DxfRole::kRepeat, "repeat", false},
+                                           {DxfRole::kOther, "other", false}}};
 
 DxfRole role_of_number(int number) {
   static const std::map<int, DxfRole> kRoles{
@@ -77,18 +90,61 @@ DxfRole role_of_name(const std::string& layer) {
 
 }  // namespace
 
-DxfRole role_of_layer(const std::string& layer) {
+std::optional<DxfRole> given_role(const std::string& layer, const DxfLayerMap& given) {
+  const auto it = given.find(layer);
+  return it == given.end() ? std::nullopt : std::optional(it->second);
+}
+
+std::optional<int> layer_number(const std::string& layer) {
+  std::string name = lower_case(layer);
+  for (const char* prefix : {"layer", "aama", "astm", "l"}) {
+    if (!name.starts_with(prefix)) continue;
+    name.erase(0, std::string(prefix).size());
+    break;
+  }
+  const std::size_t begin = name.find_first_not_of(" _-");
+  if (begin == std::string::npos) return std::nullopt;
+  return number_in<int>(std::string_view(name).substr(begin));
+}
+
+DxfRole role_of_layer(const std::string& layer, const DxfLayerMap& given) {
+  if (const auto role = given_role(layer, given)) return *role;
   const std::optional<int> number = layer_number(layer);
   return number ? role_of_number(*number) : role_of_name(layer);
 }
 
-DxfRole repeated_role(const std::string& layer) {
+DxfRole repeated_role(const std::string& layer, const DxfLayerMap& given) {
+  if (const auto role = given_role(layer, given)) return *role;
   const int number = layer_number(layer).value_or(0);
   if (number == 84) return DxfRole::kCut;
   if (number == 85) return DxfRole::kInternal;
   if (number == 86) return DxfRole::kCutout;
   if (number == 87) return DxfRole::kSew;
   return role_of_layer(layer);
+}
+
+std::string_view role_word(DxfRole role) {
+  const auto* known =
+      std::find_if(kWords.begin(), kWords.end(), [&](const RoleWord& w) { return w.role == role; });
+  return known->word;
+}
+
+std::vector<std::string> given_role_words() {
+  std::vector<std::string> words;
+  for (const RoleWord& known : kWords)
+    if (known.can_be_given) words.emplace_back(known.word);
+  return words;
+}
+
+Result<DxfRole> role_named(const std::string& word) {
+  for (const RoleWord& known : kWords)
+    if (known.can_be_given && known.word == word) return known.role;
+  return Error{"dxf.unknown_role",
+               "a layer cannot be read as " + in_quotes(word) + "; " + advice(word, given_role_words()), ""};
+}
+
+std::string_view read_as(const DxfLayerUse& layer) {
+  return layer.by_shape ? std::string_view("shape") : role_word(layer.role);
 }
 
 }  // namespace toile::dxf

@@ -110,7 +110,7 @@ DxfReach reach_of(DxfRole role) {
 DxfPieces with_lines(DxfPieces pieces, const std::vector<DxfChain>& chains, const DxfRoles& roles) {
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const DxfChain& chain = chains[i];
-    const DxfRole meaning = roles.by_aama ? roles.of[i] : DxfRole::kOther;
+    const DxfRole meaning = roles.meaning(i);
     if (pieces.used[i] || comes_later(chain, meaning)) continue;
     const std::size_t owner = owner_of(pieces, chain.points, reach_of(meaning));
     DxfFound* found = owner < pieces.placed.size() ? &pieces.placed[owner].found : nullptr;

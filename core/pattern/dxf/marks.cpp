@@ -153,16 +153,18 @@ void part_doubles(DxfPlaced& placed, DxfNotes& notes) {
 
 }  // namespace
 
-DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool by_aama, double mm_per_unit) {
+DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool by_aama,
+                     const DxfReading& reading) {
+  const DxfLayerMap& given = reading.settings.layers;
+  const auto meaning_of = [&](const std::string& layer) {
+    return by_aama || given_role(layer, given) ? role_of_layer(layer, given) : DxfRole::kOther;
+  };
   for (const DxfPart& part : parts) {
-    const DxfTransform to_mm = part.transform.scaled(mm_per_unit);
-    for (const DxfMark& mark : part.block->marks) {
-      const DxfRole role = by_aama ? role_of_layer(mark.layer) : DxfRole::kOther;
-      place_mark(mark, role, to_mm, mm_per_unit, pieces);
-    }
+    const DxfTransform to_mm = part.transform.scaled(reading.mm_per_unit);
+    for (const DxfMark& mark : part.block->marks)
+      place_mark(mark, meaning_of(mark.layer), to_mm, reading.mm_per_unit, pieces);
     for (const DxfCurve& curve : part.block->curves)
-      if (by_aama && !curve.closed && role_of_layer(curve.layer) == DxfRole::kNotch)
-        place_line(curve, to_mm, pieces);
+      if (!curve.closed && meaning_of(curve.layer) == DxfRole::kNotch) place_line(curve, to_mm, pieces);
   }
   for (DxfPlaced& placed : pieces.placed)
     if (placed.cut) part_doubles(placed, pieces.notes);

@@ -9,6 +9,7 @@ namespace toile::dxf {
 
 /// The pieces with the POINTs of the parts, and the short LINEs on layers of notches, each given to the piece
 /// that it lies on or told of.
-DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool by_aama, double mm_per_unit);
+DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool by_aama,
+                     const DxfReading& reading);
 
 }  // namespace toile::dxf

@@ -245,7 +245,8 @@ Result<DxfLoops> loops_of(const std::vector<DxfChain>& chains, const DxfRoles& r
   DxfLoops loops;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const bool outline = roles.makes_outlines(i);
-    if (!chains[i].closed || !(outline || may_hold_sew_lines(roles.of[i]))) continue;
+    const bool maybe_sew = !roles.given[i] && may_hold_sew_lines(roles.of[i]);
+    if (!chains[i].closed || !(outline || maybe_sew)) continue;
     const DxfLoop loop = loop_of(chains[i], i, roles.of[i]);
     if (loop.area < pattern::kLeastArea && geometry::is_flat(chains[i].points, pattern::kJointTolerance)) {
       if (outline) loops.flat.push_back(i);
@@ -345,7 +346,7 @@ DxfPieces with_holes(DxfPieces pieces, const std::vector<DxfChain>& chains, cons
     }
   }
   for (std::size_t i = 0; i < chains.size(); ++i) {
-    if (!roles.by_aama || !chains[i].closed || roles.of[i] != DxfRole::kCutout || pieces.used[i]) continue;
+    if (!chains[i].closed || roles.of[i] != DxfRole::kCutout || pieces.used[i]) continue;
     const DxfLoop hole = loop_of(chains[i], i, roles.of[i]);
     const auto owner = std::find_if(placed.begin(), placed.end(),
                                     [&](const DxfPlaced& p) { return lies_within(hole, *p.loop); });

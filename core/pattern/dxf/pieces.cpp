@@ -14,7 +14,7 @@ namespace toile::dxf {
 Result<DxfPlacePieces> pieces_of(const DxfPlace& place, const DxfReading& reading, std::size_t drawn,
                                  int first_id) {
   DxfChains drawing = TRY(chains_of(place.parts, reading, drawn));
-  const DxfRoles roles = roles_of(drawing.chains);
+  const DxfRoles roles = roles_of(drawing.chains, reading.settings.layers);
   const std::vector<DxfFold> folds = folds_of(drawing.chains, roles);
   DxfClosed closed = closed_at_gaps(std::move(drawing.chains), roles, folds);
   DxfClosed whole = closed_at_cut_lines(std::move(closed.chains), roles);
@@ -25,7 +25,7 @@ Result<DxfPlacePieces> pieces_of(const DxfPlace& place, const DxfReading& readin
   pieces.is_block = place.is_block;
   pieces = with_holes(std::move(pieces), chains, roles, loops, seams);
   pieces = with_lines(std::move(pieces), chains, roles);
-  pieces = with_marks(std::move(pieces), place.parts, roles.by_aama, reading.mm_per_unit);
+  pieces = with_marks(std::move(pieces), place.parts, roles.by_aama, reading);
   pieces = unfolded(std::move(pieces), chains, folds);
 
   DxfPlacePieces made{{}, drawing.drawn, std::move(drawing.notes)};

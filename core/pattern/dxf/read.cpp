@@ -5,11 +5,13 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/names.h"
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/dxf/chains.h"
 #include "core/pattern/dxf/entities.h"
 #include "core/pattern/dxf/groups.h"
+#include "core/pattern/dxf/layer_use.h"
 #include "core/pattern/dxf/layers.h"
 #include "core/pattern/dxf/names.h"
 #include "core/pattern/dxf/pieces.h"
@@ -59,10 +61,10 @@ void mark_the_rest(const DxfBlock& block, DxfLog& log, const char* reason) {
 }
 
 /// Whether any line of the file stands on a layer of sew lines.
-bool has_sew_layer(const DxfFile& file) {
-  const auto holds = [](const DxfBlock& block) {
+bool has_sew_layer(const DxfFile& file, const DxfLayerMap& given) {
+  const auto holds = [&](const DxfBlock& block) {
     return std::any_of(block.curves.begin(), block.curves.end(),
-                       [](const DxfCurve& c) { return repeated_role(c.layer) == DxfRole::kSew; });
+                       [&](const DxfCurve& c) { return repeated_role(c.layer, given) == DxfRole::kSew; });
   };
   return holds(file.entities) || std::any_of(file.blocks.begin(), file.blocks.end(), holds);
 }
@@ -199,7 +201,7 @@ Result<InUnit> read_in_its_unit(const Drawing& drawing, const DxfSettings& setti
   const std::vector<DxfUnitText>& texts = drawing.layout.style.units;
   const DxfUnit first =
       settings.mm_per_unit ? given_unit(*settings.mm_per_unit) : decide_unit(drawing.file, texts, {});
-  const bool sew_layer = has_sew_layer(drawing.file);
+  const bool sew_layer = has_sew_layer(drawing.file, settings.layers);
   Attempt attempt = TRY(read_all(drawing, {settings, first.mm, sew_layer}));
   const std::vector<double> extents = extents_of(attempt, drawing.layout, first.mm);
   DxfUnit unit = decide_unit(drawing.file, texts, extents);
@@ -219,7 +221,7 @@ void tell_the_rest(const DxfFile& file, DxfLog& log) {
   mark_the_rest(file.entities, log, "belongs to no piece");
 }
 
-DxfDrawing finished(InUnit read, const Drawing& from) {
+DxfDrawing finished(InUnit read, const Drawing& from, const DxfLayerMap& given) {
   constexpr double kSure = 0.8;  // confidence below which a person should look at the unit
   Attempt& attempt = read.attempt;
   tell_the_rest(from.file, attempt.log);
@@ -236,17 +238,29 @@ DxfDrawing finished(InUnit read, const Drawing& from) {
   drawing.sizes = from.layout.sizes;
   drawing.size = from.layout.size;
   drawing.report = attempt.log.report(attempt.names);
+  drawing.layers = layer_uses(drawing.report, from.layout.places, given);
   for (const DxfWarning& w : drawing.report.warnings) drawing.notes.push_back(warning_text(w));
   return drawing;
 }
 
-Error nothing_found(const Attempt& attempt) {
+/// "Layers are read as told: 3 as sew, 8 as ignore."
+std::string as_told(const DxfLayerMap& given) {
+  std::string list;
+  for (const auto& [layer, role] : given)
+    list += (list.empty() ? "" : ", ") + clipped(layer) + " as " + std::string(role_word(role));
+  return list.empty() ? "" : " Layers are read as told: " + list + ".";
+}
+
+Error nothing_found(const Attempt& attempt, const DxfLayerMap& given) {
   if (attempt.fault) return *attempt.fault;
   if (attempt.open) return *attempt.open;
-  return {"dxf.no_outline",
+  return {
+      "dxf.no_outline",
+      std::string(
           "The drawing holds no closed outline: neither POLYLINE, LWPOLYLINE, LINE, ARC, CIRCLE, ELLIPSE nor "
-          "SPLINE makes one.",
-          ""};
+          "SPLINE makes one.") +
+          as_told(given),
+      ""};
 }
 
 /// A text in memory as a stream.
@@ -258,6 +272,13 @@ class TextBuffer : public std::streambuf {
   }
 };
 
+/// The file's content, but for what is to be ignored. Errors: those of parse_dxf, dxf.unknown_layer.
+Result<DxfFile> file_as_told(std::istream& in, const DxfSettings& settings) {
+  DxfFile file = TRY(parse_dxf(in, settings));
+  TRY(check_layers(file, settings.layers));
+  return without_ignored(std::move(file), settings.layers);
+}
+
 }  // namespace
 
 Result<DxfDrawing> read_dxf(std::string_view text, const DxfSettings& settings) {
@@ -267,15 +288,24 @@ Result<DxfDrawing> read_dxf(std::string_view text, const DxfSettings& settings) 
 }
 
 Result<DxfDrawing> read_dxf(std::istream& in, const DxfSettings& settings) {
-  const DxfFile file = TRY(parse_dxf(in, settings));
+  const DxfFile file = TRY(file_as_told(in, settings));
   DxfPlaces places = TRY(places_of(file));
   DxfLayout layout = TRY(in_one_size(std::move(places), settings));
   Drawing drawing{file, std::move(layout), file.log, file.fault};
   drawing.log.take(drawing.layout.notes);
   if (!drawing.fault) drawing.fault = drawing.layout.notes.fault;
   InUnit read = TRY(read_in_its_unit(drawing, settings));
-  if (read.attempt.pieces.empty()) return nothing_found(read.attempt);
-  return finished(std::move(read), drawing);
+  if (read.attempt.pieces.empty()) return nothing_found(read.attempt, settings.layers);
+  return finished(std::move(read), drawing, settings.layers);
+}
+
+Result<std::vector<DxfLayerUse>> read_dxf_layers(std::string_view text, const DxfSettings& settings) {
+  TextBuffer buffer(text);
+  std::istream in(&buffer);
+  const DxfFile file = TRY(file_as_told(in, settings));
+  DxfPlaces places = TRY(places_of(file));
+  const DxfLayout layout = TRY(in_one_size(std::move(places), settings));
+  return layer_uses(file.log.report({}), layout.places, settings.layers);
 }
 
 }  // namespace toile::dxf

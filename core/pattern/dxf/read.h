@@ -11,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/base/types.h"
+#include "core/pattern/dxf/layers.h"
 #include "core/pattern/dxf/report.h"
 #include "core/pattern/dxf/settings.h"
 #include "core/pattern/outline.h"
@@ -58,6 +59,7 @@ struct DxfDrawing {
   std::vector<std::string> sizes;  ///< of a graded file, in its order
   std::string size;                ///< the one that was taken
   std::string sample_size;
+  std::vector<DxfLayerUse> layers;
   DxfReport report;
   std::vector<std::string> notes;  ///< the report's warnings, "line 12: …"
 };
@@ -69,19 +71,23 @@ struct DxfDrawing {
 /// Open ones of one layer are chained end to end, in any order and direction. A loop that follows a cut line
 /// at the widths of seam allowances is its sew line (allowance.h), whatever its layer; another one within it
 /// is a hole or, on a layer for such, a line. Where lines stand on AAMA layers, 14 (sew) is asked before
-/// others and 1 is the cut line; the others have the meaning of their numbers (layers.h); a half with a
-/// mirror line (6) along its outline is unfolded. Of a graded file (a BLOCK for each piece and size) one size
-/// is taken. Names: "Piece Name: …", else a text in the piece or up to 20 mm beside it, else the block's
-/// name, else piece1, piece2, …
+/// others and 1 is the cut line; the others have the meaning of their numbers (layers.h), all unless
+/// settings.layers says otherwise; a half with a mirror line (6) along its outline is unfolded. Of a graded
+/// file (a BLOCK for each piece and size) one size is taken. Names: "Piece Name: …", else a text in the piece
+/// or up to 20 mm beside it, else the block's name, else piece1, piece2, …
 ///
 /// What cannot be read is left out and told of in the report, as long as any piece is left. Errors, with the
 /// line in `where`: dxf.empty, dxf.not_dxf, dxf.truncated, dxf.too_large, dxf.bad_group_code,
-/// dxf.unknown_size; and, when no piece could be read, the first reason: dxf.bad_number,
+/// dxf.unknown_size, dxf.unknown_layer; and, when no piece could be read, the first reason: dxf.bad_number,
 /// dxf.coordinate_range, dxf.missing_coordinate, dxf.open_outline (with both ends of the gap), dxf.zero_area,
 /// dxf.self_crossing (with the place), dxf.unknown_block, dxf.no_outline.
 Result<DxfDrawing> read_dxf(std::string_view text, const DxfSettings& settings = {});
 /// Reads the stream to its end, but no more than settings.max_bytes.
 Result<DxfDrawing> read_dxf(std::istream& in, const DxfSettings& settings = {});
+
+/// The layers of a file, also of one whose outlines cannot be found: then they may tell why. Errors: those of
+/// read_dxf but for what is wrong with outlines.
+Result<std::vector<DxfLayerUse>> read_dxf_layers(std::string_view text, const DxfSettings& settings = {});
 
 /// The piece as a panel of its own name, in the drawing's coordinates: outline counter-clockwise with edges
 /// e0, e1, …, holes clockwise with edges h0e0, … Without forced corners edges end where the outline turns

@@ -40,23 +40,29 @@ void tell_gap(const DxfChain& chain, DxfNotes& notes) {
 
 }  // namespace
 
-DxfRoles roles_of(const std::vector<DxfChain>& chains) {
+bool makes_aama(const std::string& layer, const DxfLayerMap& given) {
+  const DxfRole role = repeated_role(layer, given);
+  return role == DxfRole::kCut || role == DxfRole::kSew;
+}
+
+DxfRoles roles_of(const std::vector<DxfChain>& chains, const DxfLayerMap& given) {
   std::set<DxfRole> there;  // on the layers of their own numbers
   bool by_aama = false;
   for (const DxfChain& c : chains) {
-    const DxfRole role = role_of_layer(c.layer), deep = repeated_role(c.layer);
-    there.insert(role);
-    by_aama = by_aama || deep == DxfRole::kCut || deep == DxfRole::kSew;
+    there.insert(role_of_layer(c.layer, given));
+    by_aama = by_aama || makes_aama(c.layer, given);
   }
   // Of layers that repeat others those have something to say whose others are empty.
   const auto role_of = [&](const std::string& layer) {
-    const DxfRole deep = repeated_role(layer);
-    return there.contains(deep) ? role_of_layer(layer) : deep;
+    const DxfRole deep = repeated_role(layer, given);
+    return there.contains(deep) ? role_of_layer(layer, given) : deep;
   };
   DxfRoles roles;
   roles.by_aama = by_aama;
   for (std::size_t i = 0; i < chains.size(); ++i) {
-    roles.of.push_back(by_aama ? role_of(chains[i].layer) : DxfRole::kCut);
+    const std::optional<DxfRole> told = given_role(chains[i].layer, given);
+    roles.given.push_back(told.has_value());
+    roles.of.push_back(told ? *told : by_aama ? role_of(chains[i].layer) : DxfRole::kCut);
     if (chains[i].inner && roles.makes_outlines(i)) roles.of[i] = DxfRole::kInternal;
   }
   return roles;
@@ -65,7 +71,7 @@ DxfRoles roles_of(const std::vector<DxfChain>& chains) {
 std::vector<DxfFold> folds_of(const std::vector<DxfChain>& chains, const DxfRoles& roles) {
   std::vector<DxfFold> folds;
   for (std::size_t i = 0; i < chains.size(); ++i)
-    if (roles.by_aama && roles.of[i] == DxfRole::kMirror && !chains[i].closed)
+    if (roles.of[i] == DxfRole::kMirror && !chains[i].closed)
       if (const auto axis = fold_axis(chains[i].points)) folds.push_back({i, *axis});
   return folds;
 }

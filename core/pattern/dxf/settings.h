@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "core/pattern/dxf/layers.h"
+
 namespace toile::dxf {
 
 struct DxfSettings {
@@ -11,6 +13,8 @@ struct DxfSettings {
   std::optional<double> mm_per_unit;
   /// Which size of a graded file to take. Unset: its sample size.
   std::optional<std::string> size;
+  /// What layers stand for where their numbers and names say it wrong. Each must be in the file.
+  DxfLayerMap layers = {};
   double chain_tolerance_mm = 0.1;  ///< ends of lines this close are joined
   double arc_tolerance_mm =
       0.02;  ///< arcs become chords that stay this close (and at most 5 mm or 7.5° each)

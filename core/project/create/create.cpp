@@ -96,7 +96,8 @@ void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int
       piece.holes.clear();
       piece.notches.clear();
       piece.lines.clear();
-      piece.from = project::ProjectDxf{settings.pattern_file, drawn.name, {}, told ? unit : "", drawing.size};
+      piece.from = project::ProjectDxf{settings.pattern_file, drawn.name,   {},
+                                       told ? unit : "",      drawing.size, given_layers(drawing)};
     }
     made.project.pieces.push_back(std::move(piece));
     made.pattern.panels.push_back(std::move(copy));
@@ -245,6 +246,13 @@ json::JsonValue side_json(const std::vector<project::ProjectSeamEdge>& side) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> given_layers(const dxf::DxfDrawing& drawing) {
+  std::vector<std::pair<std::string, std::string>> given;
+  for (const dxf::DxfLayerUse& layer : drawing.layers)
+    if (layer.given) given.emplace_back(layer.name, dxf::role_word(layer.role));
+  return given;
+}
 
 bool is_specification(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");

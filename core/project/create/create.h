@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/aabb.h"
@@ -22,7 +23,7 @@ struct NewProjectSettings {
   std::string name;           ///< of the project
   std::string pattern_file;   ///< the document's name for the pattern
   std::string body_file;      ///< and for the body
-  dxf::DxfSettings dxf = {};  ///< unit and size of a DXF file
+  dxf::DxfSettings dxf = {};  ///< unit, size and layers of a DXF file
   /// Corners of the box around the body, m, y up: pieces that come without a place stand around it.
   Aabb3 body{{-0.3, 0, -0.2}, {0.3, 1.7, 0.2}};
   /// Accepts the proposals of this confidence and above that can be sewn together; unset: none.
@@ -50,6 +51,9 @@ Result<NewProject> new_project(std::string_view pattern_text, const NewProjectSe
 /// The same for a drawing that is read already; settings.dxf is of no effect.
 Result<NewProject> new_project(const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
                                const RunContext& context = {});
+
+/// What the drawing's layers were said to stand for when it was read, as a document has it.
+std::vector<std::pair<std::string, std::string>> given_layers(const dxf::DxfDrawing& drawing);
 
 /// Whether the text is a GarmentCode specification rather than a DXF: it begins with "{".
 bool is_specification(std::string_view text);

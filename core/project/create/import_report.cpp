@@ -153,6 +153,21 @@ double grain_degrees(Vec2 grain) {
   return angle < 0 ? angle + 180 : angle >= 180 ? angle - 180 : angle;
 }
 
+json::JsonValue layers_json(const std::vector<dxf::DxfLayerUse>& layers) {
+  std::vector<json::JsonValue> list;
+  for (const dxf::DxfLayerUse& layer : layers) {
+    std::vector<json::JsonValue> kinds;
+    for (const auto& [type, count] : layer.kinds)
+      kinds.push_back(Members{{"type", type}, {"count", count_of(count)}});
+    list.push_back(Members{{"name", layer.name},
+                           {"read_as", std::string(dxf::read_as(layer))},
+                           {"given", layer.given},
+                           {"count", count_of(layer.entities)},
+                           {"kinds", std::move(kinds)}});
+  }
+  return list;
+}
+
 json::JsonValue import_json(const dxf::DxfDrawing& drawing, const std::vector<json::JsonValue>& seams) {
   std::vector<json::JsonValue> pieces;
   for (const dxf::DxfPiece& piece : drawing.pieces) pieces.push_back(piece_json(piece));
@@ -165,6 +180,7 @@ json::JsonValue import_json(const dxf::DxfDrawing& drawing, const std::vector<js
                  {"sizes", texts(drawing.sizes)},
                  {"size", drawing.size},
                  {"sample_size", drawing.sample_size},
+                 {"layers", layers_json(drawing.layers)},
                  {"pieces", std::move(pieces)},
                  {"seams", seams},
                  {"report", report_json(drawing.report)}};
@@ -225,6 +241,7 @@ json::JsonValue specification_json(const pattern::Pattern& pattern, const std::v
       {"sizes", std::vector<json::JsonValue>{}},
       {"size", std::string()},
       {"sample_size", std::string()},
+      {"layers", std::vector<json::JsonValue>{}},
       {"pieces", std::move(pieces)},
       {"seams", seams},
       {"report",

@@ -10,7 +10,8 @@
 
 namespace toile::create {
 
-/// {unit {name, mm_per_unit, confidence, evidence}, style, sizes, size, sample_size, pieces, seams, report}.
+/// {unit {name, mm_per_unit, confidence, evidence}, style, sizes, size, sample_size, layers, pieces, seams,
+/// report}.
 ///
 /// Each piece: {name, size, area_mm2 (without its holes), width_mm, height_mm, edges, notches, holes (their
 /// numbers), grain_deg (0 to 180 from the x axis; null when the file has none), quantity, mirrored (how many
@@ -22,9 +23,13 @@ namespace toile::create {
 /// caller knows.
 json::JsonValue import_json(const dxf::DxfDrawing& drawing, const std::vector<json::JsonValue>& seams = {});
 
-/// The same for a GarmentCode specification: pieces {name, area_mm2, width_mm, height_mm, edges, grain_deg,
-/// quantity, mirrored, unfolded, edge_list}, the unit without mm_per_unit, and a report with counts {panels,
-/// edges, stitches} and the notes as warnings.
+/// [{name, read_as (role_word of core/pattern/dxf/layers.h, or "shape"), given, count, kinds [{type,
+/// count}]}].
+json::JsonValue layers_json(const std::vector<dxf::DxfLayerUse>& layers);
+
+/// The same for a GarmentCode specification, which has no layers: pieces {name, area_mm2, width_mm,
+/// height_mm, edges, grain_deg, quantity, mirrored, unfolded, edge_list}, the unit without mm_per_unit, and a
+/// report with counts {panels, edges, stitches} and the notes as warnings.
 json::JsonValue specification_json(const pattern::Pattern& pattern, const std::vector<json::JsonValue>& seams,
                                    const std::vector<std::string>& notes);
 

@@ -35,13 +35,14 @@ Result<const std::string*> OpenedFiles::dxf_text(const std::string& name) {
 }
 
 Result<const dxf::DxfDrawing*> OpenedFiles::drawing(const project::ProjectDxf& from) {
-  const std::array<std::string, 3> key{from.dxf, from.units, from.size};
+  const Reading key{from.dxf, from.units, from.size, from.layers};
   if (const auto kept = drawings_.find(key); kept != drawings_.end()) return &kept->second;
   TRY(check_file_name(from.dxf));
   const std::string* text = TRY(dxf_text(from.dxf));
   dxf::DxfSettings settings;
   settings.mm_per_unit = mm_per_unit(from.units);
   if (!from.size.empty()) settings.size = from.size;
+  for (const auto& [layer, word] : from.layers) settings.layers[layer] = TRY(dxf::role_named(word));
   Result<dxf::DxfDrawing> drawing = dxf::read_dxf(*text, settings);
   if (!drawing) return json::error_at(clipped(from.dxf), drawing.error());
   return &drawings_.emplace(key, std::move(*drawing)).first->second;

@@ -1,7 +1,6 @@
 #pragma once
 // The files of a document while somebody works on it, each read once.
 
-#include <array>
 #include <deque>
 #include <map>
 #include <string>
@@ -23,8 +22,8 @@ class OpenedFiles {
  public:
   explicit OpenedFiles(ProjectFiles source) : source_(std::move(source)) {}
 
-  /// In the unit and size that the piece asks for; the pointer holds as long as the object. Errors:
-  /// project.path, dxf.*, and what the source gives.
+  /// In the unit and size that the piece asks for, with its layers; the pointer holds as long as the object.
+  /// Errors: project.path, dxf.*, and what the source gives.
   Result<const dxf::DxfDrawing*> drawing(const project::ProjectDxf& from);
   /// REQUIRES a body from a file, whose name has passed check_file_name. Errors: what the source gives.
   Result<mesh_import::RepairedMesh> body_mesh(const project::ProjectBody& body);
@@ -38,11 +37,15 @@ class OpenedFiles {
   const ProjectFiles& source() const { return source_; }
 
  private:
+  /// File, unit, size and layers: all that a drawing depends on.
+  using Reading =
+      std::tuple<std::string, std::string, std::string, std::vector<std::pair<std::string, std::string>>>;
+
   Result<const std::string*> dxf_text(const std::string& name);
 
   ProjectFiles source_;
-  std::map<std::string, std::string> texts_;                        ///< of DXF files
-  std::map<std::array<std::string, 3>, dxf::DxfDrawing> drawings_;  ///< by file, unit, size
+  std::map<std::string, std::string> texts_;  ///< of DXF files
+  std::map<Reading, dxf::DxfDrawing> drawings_;
   std::map<std::tuple<std::string, double, bool>, mesh_import::RepairedMesh>
       meshes_;  ///< by file, unit, whether z is up
   std::vector<std::pair<project::ProjectMannequin, geometry::TriangleMesh>> mannequins_;

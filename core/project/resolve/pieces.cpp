@@ -20,7 +20,10 @@ namespace {
 Result<pattern::Panel> panel_from_file(const project::ProjectDxf& from, OpenedFiles& files,
                                        const std::string& where) {
   const Result<const dxf::DxfDrawing*> drawing = files.drawing(from);
-  if (!drawing) return json::error_at(json::pointer_to(where, "dxf"), drawing.error());
+  if (!drawing) {
+    const bool is_of_layers = drawing.error().code == "dxf.unknown_layer";
+    return json::error_at(json::pointer_to(where, is_of_layers ? "layers" : "dxf"), drawing.error());
+  }
   std::vector<std::string> names;
   for (const dxf::DxfPiece& piece : (*drawing)->pieces) {
     if (piece.name == from.piece) {

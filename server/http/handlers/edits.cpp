@@ -1,4 +1,5 @@
-// /api/v1/projects/{id}/edits, undo, redo and proposals; /api/v1/imports.
+// /api/v1/projects/{id}/edits, undo, redo and proposals; /api/v1/imports,
+// /api/v1/assets/{id}/layers.
 
 #include "server/documents/edits.h"
 #include "core/base/text.h"
@@ -85,19 +86,44 @@ Result<std::string> text_of(const json::JsonValue& tree, const char* key) {
   return Error{"request.import", "this is a text in quotes", json::pointer_to("", key)};
 }
 
+/// "layers" of a request: layer → what it is; none when it is not there. Error: request.import.
+Result<std::vector<std::pair<std::string, std::string>>> read_layers(const json::JsonValue& tree) {
+  std::vector<std::pair<std::string, std::string>> out;
+  const json::JsonValue* layers = tree.find("layers");
+  if (!layers) return out;
+  if (!layers->object())
+    return Error{"request.import", "\"layers\" is an object of layers, each with what it is", "/layers"};
+  for (const json::JsonMember& layer : *layers->object()) {
+    const std::string* word = layer.value.text();
+    if (!word)
+      return Error{"request.import", "this is a text in quotes", json::pointer_to("/layers", layer.key)};
+    out.emplace_back(layer.key, *word);
+  }
+  return out;
+}
+
 http::HttpResponse import(const Api& api, const store::RequestContext& context,
                           const http::HttpRequest& request) {
   const Result<json::JsonValue> tree =
-      read_object(request, {"asset", "unit", "size"}, {.bytes = http::kSmallBody, .depth = 4});
+      read_object(request, {"asset", "unit", "size", "layers"}, {.bytes = http::kSmallBody, .depth = 4});
   if (!tree) return http::problem(tree.error());
   const Result<std::string> asset = text_of(*tree, "asset"), unit = text_of(*tree, "unit"),
                             size = text_of(*tree, "size");
   for (const Result<std::string>* text : {&asset, &unit, &size})
     if (!*text) return http::problem(text->error());
+  const auto layers = read_layers(*tree);
+  if (!layers) return http::problem(layers.error());
   if (asset->empty())
     return http::problem({"request.import", "\"asset\" is the id of an uploaded file", "/asset"});
-  Result<std::string> report = documents::import_pattern(api.documents, context, *asset, {*unit, *size});
+  Result<std::string> report =
+      documents::import_pattern(api.documents, context, *asset, {*unit, *size, *layers});
   return report ? json_answer(200, std::move(*report)) : http::problem(report.error());
+}
+
+http::HttpResponse layers(const Api& api, const store::RequestContext& context,
+                          const http::HttpRequest& request) {
+  Result<std::string> text = documents::pattern_layers(api.documents, context, request.captures[0]);
+  return text ? json_answer(200, std::move(*text)) : http::problem(text.error());
 }
 
 }  // namespace
@@ -121,6 +147,7 @@ ApiRoutes edit_routes() {
        .handler = import,
        .body = http::BodyKind::kJson,
        .work = http::Work::kHeavy},
+      {.pattern = "/api/v1/assets/{id}/layers", .handler = layers, .work = http::Work::kHeavy},
   };
 }
 

@@ -148,6 +148,84 @@ TEST(Imports, GiveADocumentThatMakesAProjectOnceItIsSent) {
   ASSERT_TRUE(made) << to_string(made.error());
 }
 
+/// A square of 300 mm on layer 5, with a line on 1 in it that would have to be the outline, if nobody said
+/// otherwise, and one on 9 that is its grain.
+std::string odd_dxf() {
+  std::string text = cloth_dxf();
+  for (std::size_t at = 0; (at = text.find("8\nCUT\n", at)) != std::string::npos;)
+    text.replace(at, 6, "8\n5");
+  const auto line = [](const char* layer, const char* x) {
+    return std::string("0\nLINE\n8\n") + layer + "\n10\n" + x + "\n20\n50\n11\n" + x + "\n21\n250\n";
+  };
+  return text.insert(text.find("0\nTEXT"), line("1", "100") + line("9", "200"));
+}
+
+struct OddStore : ClothStore {
+  std::string odd = documents::add_asset(store.documents(), kMe, "dxf", "odd.dxf", odd_dxf())->id;
+  const std::vector<std::pair<std::string, std::string>> layers{
+      {"5", "cut"}, {"1", "internal"}, {"9", "grain"}};
+};
+
+TEST(Imports, OfAFileOfOtherLayersNeedToBeToldThem) {
+  OddStore at;
+  EXPECT_NE(at.store->asset(kMe, at.odd)->info.find("\"pieces\": []"), std::string::npos);
+  EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, at.odd, {}).error().code,
+            "dxf.open_outline");
+  const json::JsonValue listed = json(documents::pattern_layers(at.store.documents(), kMe, at.odd).value());
+  EXPECT_EQ(*listed.find("file")->text(), "odd.dxf");
+  std::vector<std::string> names, roles;
+  for (const json::JsonValue& layer : *listed.find("layers")->array()) {
+    names.push_back(*layer.find("name")->text());
+    roles.push_back(*layer.find("read_as")->text());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"1", "5", "9"}));
+  EXPECT_EQ(roles, (std::vector<std::string>{"cut", "grade", "guide"}));
+}
+
+TEST(Imports, KeepTheLayersThatTheyWereToldInTheDocument) {
+  OddStore at;
+  const documents::ImportWishes wishes{"mm", "", at.layers};
+  const Result<std::string> text = documents::import_pattern(at.store.documents(), kMe, at.odd, wishes);
+  ASSERT_TRUE(text) << to_string(text.error());
+  const json::JsonValue report = json(*text);
+  const json::JsonValue& piece = report.find("pieces")->array()->front();
+  EXPECT_EQ(*piece.find("area_mm2")->number(), 90000);
+  EXPECT_EQ(*piece.find("grain_deg")->number(), 90);
+  EXPECT_EQ(*piece.find("lines")->number(), 1);
+  EXPECT_EQ(*piece.find("from")->find("layers")->find("5")->text(), "cut");
+  EXPECT_TRUE(*report.find("layers")->array()->front().find("given")->boolean());
+  const std::string document = json::write_json_line(*report.find("document"));
+  const std::vector<std::pair<std::string, std::string>> by_name{
+      {"1", "internal"}, {"5", "cut"}, {"9", "grain"}};
+  EXPECT_EQ(project::parse_project(document)->pieces.front().from->layers, by_name);
+  const auto made = documents::create_project(at.store.documents(), kMe, document, {{"odd.dxf", at.odd}});
+  ASSERT_TRUE(made) << to_string(made.error());
+  const auto read = documents::read_cloth(at.store.documents(), kMe, made->document, made->files);
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_EQ((*read)->cloth.pattern.panels.front().lines.size(), 1u);
+}
+
+TEST(Imports, RefuseLayersThatAreNotThereWithTheirPlace) {
+  OddStore at;
+  const auto refused = [&](const documents::ImportWishes& wishes) {
+    return documents::import_pattern(at.store.documents(), kMe, at.odd, wishes).error();
+  };
+  const Error layer = refused({"", "", {{"7", "cut"}}}), role = refused({"", "", {{"5", "cutt"}}});
+  EXPECT_EQ(layer.code + layer.where, "dxf.unknown_layer/layers");
+  EXPECT_EQ(role.code + role.where, "dxf.unknown_role/layers/5");
+  EXPECT_NE(role.message.find("did you mean \"cut\""), std::string::npos) << role.message;
+  const auto made = [&](const std::string& layers) {
+    const std::string document = cloth_document("\"units\": \"mm\"", "\"layers\": " + layers);
+    return documents::create_project(at.store.documents(), kMe, document, at.files).error();
+  };
+  const Error word = made(R"({"CUT": "saw"})"), name = made(R"({"TUC": "cut"})");
+  EXPECT_EQ(word.code + word.where, "project.unknown_value/pieces/0/from/layers/CUT");
+  EXPECT_EQ(name.code, "dxf.unknown_layer");
+  EXPECT_TRUE(name.where.starts_with("/pieces/0/from/layers")) << name.where;
+  EXPECT_EQ(documents::pattern_layers(at.store.documents(), kMe, at.body).error().code,
+            "documents.wrong_kind");
+}
+
 constexpr const char* kTwoSquares = R"({"pattern": {"panels": {
   "left": {"translation": [0, 0, 0], "rotation": [0, 0, 0], "vertices": [[0, 0], [10, 0], [10, 10], [0, 10]],
     "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]},
@@ -177,6 +255,9 @@ TEST(Imports, TakeASpecificationWithItsSeamsAndPlaces) {
             "documents.unit");
   EXPECT_EQ(documents::import_pattern(at.store.documents(), kMe, asset->id, {"", "42"}).error().code,
             "documents.size");
+  EXPECT_EQ(
+      documents::import_pattern(at.store.documents(), kMe, asset->id, {"", "", {{"1", "cut"}}}).error().code,
+      "documents.layers");
   EXPECT_EQ(documents::add_asset(at.store.documents(), kMe, "specification", "no.json", "{}").error().code,
             "garmentcode.missing");
 }

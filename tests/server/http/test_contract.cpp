@@ -288,6 +288,10 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   const std::string pattern = member(recorded("POST", "/api/v1/assets?kind=dxf&name=a.dxf", dxf), "id");
   recorded("POST", "/api/v1/imports", "{\"asset\": \"" + pattern + "\", \"unit\": \"cm\"}", kJson);
   recorded("POST", "/api/v1/imports", "{\"asset\": \"a_0\"}", kJson);
+  const std::string told = "{\"asset\": \"" + pattern + R"(", "layers": {"A": "sew"}})";
+  EXPECT_EQ(recorded("POST", "/api/v1/imports", told, kJson).status, 200);
+  EXPECT_EQ(recorded("GET", "/api/v1/assets/" + pattern + "/layers").status, 200);
+  recorded("GET", "/api/v1/assets/a_0/layers");
   const std::string panel =
       R"({"translation": [0, 0, 0], "rotation": [0, 0, 0], "vertices": [[0, 0], [9, 0], [9, 9]], "edges":
           [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 0]}]})";

@@ -111,6 +111,34 @@ TEST_F(Edits, ImportsReportOnAnUploadedPattern) {
                  "documents.wrong_kind");
 }
 
+TEST_F(Edits, ImportsAreToldWhatLayersAre) {
+  const std::string dxf =
+      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n5\n90\n4\n70\n1\n10\n0\n20\n0\n10\n90\n20\n0\n10\n90\n20\n9"
+      "0\n10\n0\n20\n90\n0\nLINE\n8\n1\n10\n20\n20\n20\n11\n20\n21\n70\n0\nENDSEC\n0\nEOF\n";
+  const Answer kept = upload("dxf", "odd.dxf", dxf);
+  ASSERT_EQ(kept.status, 201) << kept.body;
+  const std::string asset = member(kept, "id");
+  const auto import = [&](const std::string& layers) {
+    return send_json("POST", "/api/v1/imports",
+                     R"({"asset": ")" + asset + R"(", "unit": "mm", "layers": )" + layers + "}");
+  };
+  EXPECT_PROBLEM(import("{}"), 422, "dxf.open_outline");
+  const Answer layers = get("/api/v1/assets/" + asset + "/layers");
+  ASSERT_EQ(layers.status, 200) << layers.body;
+  EXPECT_NE(layers.body.find(R"({"name": "5", "read_as": "grade", "given": false, "count": 1)"),
+            std::string::npos)
+      << layers.body;
+  const Answer report = import(R"({"5": "cut", "1": "grain"})");
+  ASSERT_EQ(report.status, 200) << report.body;
+  EXPECT_NE(report.body.find("\"area_mm2\": 8100"), std::string::npos) << report.body;
+  EXPECT_NE(report.body.find("\"grain_deg\": 90"), std::string::npos);
+  EXPECT_PROBLEM(import(R"({"5": "cutt"})"), 422, "dxf.unknown_role");
+  EXPECT_PROBLEM(import(R"({"6": "cut"})"), 422, "dxf.unknown_layer");
+  EXPECT_PROBLEM(import(R"({"5": 1})"), 422, "request.import");
+  EXPECT_PROBLEM(import("[]"), 422, "request.import");
+  EXPECT_PROBLEM(get("/api/v1/assets/a_0/layers"), 404, "store.not_found");
+}
+
 TEST_F(Edits, PutAnUploadedPictureOnAPiece) {
   const std::string png = png_of(squares());
   const Answer kept = ask(port, "POST", "/api/v1/assets?kind=image&name=checks.png", png);

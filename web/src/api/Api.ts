@@ -15,6 +15,8 @@ import type {
   Fabric,
   Import,
   Job,
+  Layer,
+  LayerMap,
   MovieKind,
   MovieOrder,
   Pieces,
@@ -40,7 +42,10 @@ export interface Api extends SessionApi, LinkApi, PatternUrls, SweepApi, Version
   /** Newest first. */
   history(projectId: string): Promise<EditStep[]>;
   proposals(projectId: string): Promise<SeamProposal[]>;
-  importPattern(asset: string, unit: Unit | '', size: string): Promise<Import>;
+  /** `layers`: what those of a DXF stand for, where a person says so. */
+  importPattern(asset: string, unit: Unit | '', size: string, layers: LayerMap): Promise<Import>;
+  /** Of an uploaded DXF, as they are usually read. */
+  layers(asset: string): Promise<Layer[]>;
   bodies(): Promise<Asset[]>;
   /** Uploaded pictures, newest first. */
   images(): Promise<Asset[]>;
@@ -88,6 +93,13 @@ const otherRoutes = (http: Http): SessionApi & LinkApi & PatternUrls & SweepApi 
 
 const keyed = (key: string) => ({ 'Idempotency-Key': key });
 
+const importWish = (asset: string, unit: Unit | '', size: string, layers: LayerMap): Question<'importPattern'> => ({
+  asset,
+  ...(unit && { unit }),
+  ...(size && { size }),
+  ...(Object.keys(layers).length > 0 && { layers }),
+});
+
 const submission = (project_id: string, from?: string): Question<'submitJob'> => ({
   project_id,
   priority: 'interactive',
@@ -114,13 +126,9 @@ export function makeApi(http = new Http('/api/v1')): Api {
     history: async (id) => (await http.get<Answer<'listEdits'>>(`/projects/${part(id)}/edits?limit=100`)).edits,
     proposals: async (id) =>
       (await http.get<Answer<'proposeSeams'>>(`/projects/${part(id)}/proposals`, kLongPatience)).proposals,
-    importPattern: (asset, unit, size) =>
-      http.post(
-        '/imports',
-        { asset, ...(unit && { unit }), ...(size && { size }) } satisfies Question<'importPattern'>,
-        {},
-        kLongPatience,
-      ),
+    importPattern: (asset, unit, size, layers) =>
+      http.post('/imports', importWish(asset, unit, size, layers), {}, kLongPatience),
+    layers: async (asset) => (await http.get<Answer<'listLayers'>>(`/assets/${part(asset)}/layers`)).layers,
     bodies: async () => (await http.get<Answer<'listBodies'>>('/bodies')).assets,
     images: async () => (await http.get<Answer<'listAssets'>>('/assets?kind=image')).assets,
     fabrics: async () => (await http.get<Answer<'listFabrics'>>('/fabrics')).fabrics,

@@ -78,6 +78,10 @@ export type Import = Schemas['Import'];
 export type ImportedPiece = Schemas['ImportedPiece'];
 export type ImportedEntity = One<Import['report']['entities']>;
 export type ImportWarning = One<Import['report']['warnings']>;
+export type Layer = One<Import['layers']>;
+export type LayerMap = NonNullable<Question<'importPattern'>['layers']>;
+/** What a layer may be given. */
+export type LayerRole = LayerMap[string];
 export type Unit = NonNullable<Question<'importPattern'>['unit']>;
 
 /** What a viewer may say on a job's stream. */

@@ -1,7 +1,7 @@
 // From a pattern file to a project: uploaded, read by the service, looked over by a person, made.
 
 import type { Api } from '../api/Api';
-import type { Asset, Import, Project, Unit } from '../api/types';
+import type { Asset, Import, Layer, LayerRole, Project, Unit } from '../api/types';
 import { loading, ready, valueOf, type AppState } from '../state/AppState';
 import { documentOf, namesPattern, presetNamed, seamsInReach, type BodyChoice, type ImportDraft } from '../state/importDraft';
 import type { LoosePattern } from '../state/intake';
@@ -13,7 +13,7 @@ import { told } from '../texts/told';
 
 export type ImportApi = Pick<
   Api,
-  'uploadAsset' | 'importPattern' | 'bodies' | 'bodyPresets' | 'createProject' | 'arrange'
+  'uploadAsset' | 'importPattern' | 'layers' | 'bodies' | 'bodyPresets' | 'createProject' | 'arrange'
 >;
 
 export class ImportCommands {
@@ -41,6 +41,9 @@ export class ImportCommands {
       report: loading,
       unit: '',
       size: '',
+      layers: {},
+      fileLayers: [],
+      rereading: false,
       left: new Set(),
       chosen: new Set(),
       body: newestBody(source) ?? kMannequin,
@@ -90,20 +93,37 @@ export class ImportCommands {
   private async read(source: LoosePattern): Promise<void> {
     const draft = this.state_.importing.value;
     if (!draft || draft.asset === '') return;
-    const { asset, unit, size } = draft;
-    this.change(source, { report: loading, error: null });
-    try {
-      const report = await this.api_.importPattern(asset, unit, size);
+    const { asset, unit, size, layers } = draft;
+    // Asked otherwise in the meantime, this answer is none.
+    const isWanted = (): boolean => {
       const now = this.state_.importing.value;
-      if (now?.unit !== unit || now.size !== size) return; // asked otherwise in the meantime
+      return now?.unit === unit && now.size === size && now.layers === layers;
+    };
+    this.change(source, { rereading: true, error: null });
+    try {
+      const report = await this.api_.importPattern(asset, unit, size, layers);
+      if (!isWanted()) return;
       this.change(source, {
         report: ready(report),
+        rereading: false,
         chosen: toWear(report.seams),
         left: faulty(report),
       });
       this.suggestBody(source);
     } catch (error) {
-      this.change(source, { report: { state: 'failed', error: asApiError(error) } });
+      const fileLayers = await this.layersOf(draft);
+      if (!isWanted()) return;
+      this.change(source, { report: { state: 'failed', error: asApiError(error) }, rereading: false, fileLayers });
+    }
+  }
+
+  /** Where nothing can be made of a file, its layers may be others than usual. */
+  private async layersOf({ source, asset, fileLayers }: ImportDraft): Promise<Layer[]> {
+    if (source.kind !== 'dxf' || fileLayers.length > 0) return fileLayers;
+    try {
+      return await this.api_.layers(asset);
+    } catch {
+      return []; // the reading has said already what is wrong
     }
   }
 
@@ -114,6 +134,16 @@ export class ImportCommands {
 
   takeSize(size: string): Promise<void> {
     return this.readAgain({ size });
+  }
+
+  /** Empty: as usual. */
+  takeLayer(layer: string, role: LayerRole | ''): Promise<void> {
+    const { [layer]: _, ...others } = this.state_.importing.value?.layers ?? {};
+    return this.readAgain({ layers: role ? { ...others, [layer]: role } : others });
+  }
+
+  takeNoLayers(): Promise<void> {
+    return this.readAgain({ layers: {} });
   }
 
   private async readAgain(part: Partial<ImportDraft>): Promise<void> {

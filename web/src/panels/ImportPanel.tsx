@@ -1,8 +1,10 @@
 // What a pattern file holds, before it becomes a project: its pieces with their sizes, unit and size to overrule, seams to
 // accept, a body, and what became of every entity.
 
-import { useSignal } from '@preact/signals';
+import { useSignal, type Signal } from '@preact/signals';
 import type { ComponentType } from 'preact';
+import { useEffect } from 'preact/hooks';
+import type { ApiError } from '../api/http';
 import { useCommands } from '../commands/context';
 import type { Import, Unit } from '../api/types';
 import { useAppState } from '../state/context';
@@ -10,12 +12,13 @@ import { presetTitle } from '../state/dressing';
 import { seamsInReach, sureness, type BodyChoice, type ImportDraft, type PreviewProps } from '../state/importDraft';
 import { percent, sentence } from '../state/words';
 import { patternFigure, patternLength } from '../texts/units';
+import { ImportLayers } from './ImportLayers';
 import { ImportReport } from './ImportReport';
 import { ImportSeams } from './ImportSeams';
 import { t } from '../texts/language';
 import { Told } from '../texts/Message';
 
-type Page = 'pieces' | 'seams' | 'report';
+type Page = 'pieces' | 'layers' | 'seams' | 'report';
 
 /** Draws the file's pieces; who puts the page together says with what. */
 export interface PreviewSlot {
@@ -24,6 +27,7 @@ export interface PreviewSlot {
 
 export function ImportPanel({ draft, Preview }: { draft: ImportDraft } & PreviewSlot) {
   const { report } = draft;
+  const page = useSignal<Page>('pieces');
   if (report.state === 'loading') {
     return (
       <div class="import-wait" role="status">
@@ -35,9 +39,24 @@ export function ImportPanel({ draft, Preview }: { draft: ImportDraft } & Preview
       </div>
     );
   }
-  if (report.state === 'failed') {
-    const { detail, code, where } = report.error;
-    return (
+  if (report.state === 'failed') return <Unread draft={draft} error={report.error} page={page} />;
+  return <Read draft={draft} report={report.value} page={page} Preview={Preview} />;
+}
+
+/** Which page of what was read is shown; it stays while the file is read again. */
+interface PageSlot {
+  page: Signal<Page>;
+}
+
+/** Why nothing could be made of the file, with its layers, since those may be others than usual. */
+function Unread({ draft, error, page }: { draft: ImportDraft; error: ApiError } & PageSlot) {
+  const { detail, code, where } = error;
+  const hasLayers = draft.fileLayers.length > 1;
+  useEffect(() => {
+    if (hasLayers) page.value = 'layers'; // who has said what one layer is goes on with the next
+  }, [hasLayers, page]);
+  return (
+    <div class="import-unread">
       <div class="problem" role="alert">
         <div>
           <p>
@@ -47,9 +66,9 @@ export function ImportPanel({ draft, Preview }: { draft: ImportDraft } & Preview
           {(draft.unit || draft.size) && <Again />}
         </div>
       </div>
-    );
-  }
-  return <Read draft={draft} report={report.value} Preview={Preview} />;
+      {hasLayers && <ImportLayers draft={draft} layers={draft.fileLayers} />}
+    </div>
+  );
 }
 
 function Again() {
@@ -61,13 +80,15 @@ function Again() {
   );
 }
 
-function Read({ draft, report, Preview }: { draft: ImportDraft; report: Import } & PreviewSlot) {
-  const page = useSignal<Page>('pieces');
+function Read({ draft, report, page, Preview }: { draft: ImportDraft; report: Import } & PageSlot & PreviewSlot) {
   const lit = useSignal<string | null>(null);
   const seams = seamsInReach(report, draft.left);
   const chosen = seams.filter((seam) => draft.chosen.has(seam.id)).length;
   const pages: { page: Page; title: string }[] = [
     { page: 'pieces', title: t.imports.pieceTab(report.pieces.length - draft.left.size) },
+    ...(report.layers.length > 0
+      ? [{ page: 'layers' as const, title: t.imports.layers.tab(report.layers.length) }]
+      : []),
     { page: 'seams', title: t.imports.seamTab(chosen, seams.length) },
     {
       page: 'report',
@@ -82,7 +103,7 @@ function Read({ draft, report, Preview }: { draft: ImportDraft; report: Import }
     document.getElementById(`import-${page.value}`)?.focus();
   };
   return (
-    <div class="import">
+    <div class={`import${draft.rereading ? ' rereading' : ''}`} aria-busy={draft.rereading}>
       <Preview draft={draft} report={report} lit={lit.value} onLight={(seam) => (lit.value = seam)} />
       <div class="import-side">
         <div class="tabs" role="tablist" aria-label={t.imports.holds} onKeyDown={turn}>
@@ -106,6 +127,7 @@ function Read({ draft, report, Preview }: { draft: ImportDraft; report: Import }
               <PieceRows draft={draft} report={report} />
             </>
           )}
+          {page.value === 'layers' && <ImportLayers draft={draft} layers={report.layers} />}
           {page.value === 'seams' && (
             <ImportSeams draft={draft} report={report} onLight={(seam) => (lit.value = seam)} />
           )}

@@ -76,7 +76,7 @@ function Problem({ text, code, where, own = false }: ProblemProps) {
 function isWhole(intake: Intake, draft: ImportDraft | null): boolean {
   if (!draft) return intake.plan?.ready ?? false;
   const report = valueOf(draft.report);
-  return report !== null && documentOf(draft, report, null) !== null;
+  return report !== null && !draft.rereading && documentOf(draft, report, null) !== null;
 }
 
 /** The way on, and what is being done. */

@@ -7,6 +7,8 @@ import type {
   ImportedEntity,
   ImportedPiece,
   ImportWarning,
+  Layer,
+  LayerMap,
   Piece,
   Point,
   SeamProposal,
@@ -32,6 +34,12 @@ export interface ImportDraft {
   unit: Unit | '';
   /** As chosen; empty: the file's sample size. */
   size: string;
+  /** What a person says of the file's layers, by their names. */
+  layers: LayerMap;
+  /** The layers of a file that could not be read: what they are may be why. */
+  fileLayers: Layer[];
+  /** It is read again, and what is shown is of before. */
+  rereading: boolean;
   /** Pieces, by their name in the file, that stay away. */
   left: ReadonlySet<string>;
   /** Proposals that are accepted. */

@@ -3,6 +3,7 @@ import { fireEvent, screen, within } from '@testing-library/dom';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { choose, click, openPage, type Page } from './page';
 import { ApiError } from '../../src/api/http';
+import { ImportLayers } from '../../src/panels/ImportLayers';
 import { ImportPanel } from '../../src/panels/ImportPanel';
 import { ImportReport } from '../../src/panels/ImportReport';
 import { ImportSeams } from '../../src/panels/ImportSeams';
@@ -12,7 +13,7 @@ import { ready, type Intake } from '../../src/state/AppState';
 import type { ImportDraft, PreviewProps } from '../../src/state/importDraft';
 import { planIntake, type GivenFile } from '../../src/state/intake';
 import { assetOf } from '../fakes';
-import { importedPiece, importOf, meshFormats } from '../samples';
+import { importedPiece, importOf, layerOf, meshFormats } from '../samples';
 
 const button = (name: string | RegExp): HTMLElement => screen.getByRole('button', { name });
 const isOff = (thing: HTMLElement): boolean => thing.hasAttribute('disabled');
@@ -25,6 +26,9 @@ const draftOf = (more: Partial<ImportDraft> = {}): ImportDraft => ({
   report: ready(importOf()),
   unit: '',
   size: '',
+  layers: {},
+  fileLayers: [],
+  rereading: false,
   left: new Set(['torn']),
   chosen: new Set(['seam0']),
   body: { kind: 'mannequin', preset: '' },
@@ -212,6 +216,55 @@ describe('a pattern file', () => {
     fireEvent.keyDown(screen.getByRole('tablist'), { key: 'ArrowRight' });
     expect(screen.getByRole('tab', { selected: true }).textContent).toBe('Report, 1 warning');
     expect(screen.getByRole('region', { name: 'Import report' })).toBeTruthy();
+  });
+});
+
+describe('the layers of a file', () => {
+  const rows = (): string[] => screen.getAllByRole<HTMLSelectElement>('combobox').map((one) => one.selectedOptions[0]!.text);
+
+  it('tell what stands on them and what they are read as, and are told otherwise', () => {
+    page.show(<ImportLayers draft={draftOf()} layers={importOf().layers} />);
+    expect(rows()).toEqual(['as usual: cut line', 'as usual: texts', 'as usual: unknown, lines within']);
+    expect(screen.getByText('2 TEXT')).toBeTruthy();
+    choose(screen.getByRole('combobox', { name: 'Layer A is' }), 'sew');
+    choose(screen.getByRole('combobox', { name: 'Layer 15 is' }), 'ignore');
+    expect(page.asked()).toEqual([
+      ['imports.takeLayer', 'A', 'sew'],
+      ['imports.takeLayer', '15', 'ignore'],
+    ]);
+    expect(screen.queryByRole('button', { name: 'Read all as usual' })).toBeNull();
+  });
+
+  it('are shown as told, and read as usual again at once', () => {
+    const draft = draftOf({ layers: { A: 'sew' } });
+    page.show(<ImportLayers draft={draft} layers={[layerOf('1', 'cut'), layerOf('A', 'sew', { given: true })]} />);
+    expect(rows()).toEqual(['as usual: cut line', 'sew line']);
+    choose(screen.getByRole('combobox', { name: 'Layer A is' }), '');
+    click(button('Read all as usual'));
+    expect(page.asked()).toEqual([['imports.takeLayer', 'A', ''], ['imports.takeNoLayers']]);
+  });
+
+  it('have a page of their own in the import, which stays while the file is read again', () => {
+    page.change((state) => (state.intake.value = intakeOf()));
+    page.show(<ImportPanel draft={draftOf()} Preview={Preview} />);
+    click(screen.getByRole('tab', { name: 'Layers 3' }));
+    expect(screen.getByRole('region', { name: 'Layers of the file' })).toBeTruthy();
+    page.show(<ImportPanel draft={draftOf({ layers: { A: 'sew' }, rereading: true })} Preview={Preview} />);
+    expect(screen.getByRole('region', { name: 'Layers of the file' }).getAttribute('aria-busy')).toBe('true');
+    page.show(<ImportPanel draft={draftOf({ report: ready(importOf({ layers: [] })) })} Preview={Preview} />);
+    expect(screen.queryByRole('tab', { name: /Layers/ })).toBeNull();
+  });
+
+  it('can be told where nothing could be made of the file; their page stays once something can', () => {
+    const error = new ApiError(422, 'dxf.no_outline', 'the drawing holds no closed outline', '');
+    const failed = draftOf({ report: { state: 'failed', error }, fileLayers: importOf().layers });
+    page.change((state) => (state.intake.value = intakeOf()));
+    page.show(<ImportPanel draft={failed} Preview={Preview} />);
+    expect(screen.getByRole('alert').textContent).toContain('The drawing holds no closed outline.');
+    choose(screen.getByRole('combobox', { name: 'Layer A is' }), 'cut');
+    expect(page.asked()).toEqual([['imports.takeLayer', 'A', 'cut']]);
+    page.show(<ImportPanel draft={draftOf({ layers: { A: 'cut' } })} Preview={Preview} />);
+    expect(screen.getByRole('tab', { name: 'Layers 3', selected: true })).toBeTruthy();
   });
 });
 

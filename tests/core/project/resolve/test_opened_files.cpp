@@ -3,6 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <string>
+#include <vector>
+
+#include "core/json/fields/schema.h"
+#include "core/project/cloth_fields.h"
 
 #include "tests/core/project/editing/edited_document.h"
 
@@ -51,6 +56,34 @@ TEST(OpenedFiles, TakeOneFileInTwoUnitsFromTheSameBytes) {
   const dxf::DxfDrawing* large = files.drawing(front_in("cm")).value();
   EXPECT_NE(small, large);
   EXPECT_EQ(counted.reads["cut.dxf"], 1);
+}
+
+TEST(OpenedFiles, TakeOneFileWithOtherLayersFromTheSameBytes) {
+  CountedFiles counted;
+  resolve::OpenedFiles files(counted.files());
+  project::ProjectDxf told = front_in("mm");
+  told.layers = {{"FRONT", "sew"}};
+  const dxf::DxfDrawing* usual = files.drawing(front_in("mm")).value();
+  const Result<const dxf::DxfDrawing*> sewn = files.drawing(told);
+  ASSERT_TRUE(sewn) << to_string(sewn.error());
+  EXPECT_FALSE(usual->pieces[0].on_sew_line);
+  EXPECT_TRUE((*sewn)->pieces[0].on_sew_line);
+  EXPECT_EQ(counted.reads["cut.dxf"], 1);
+  told.layers = {{"NO", "sew"}};
+  EXPECT_EQ(files.drawing(told).error().code, "dxf.unknown_layer");
+}
+
+TEST(OpenedFiles, KnowEveryWordThatADocumentMayUseOfLayers) {
+  project::ProjectDxf dxf;
+  fields::Definitions definitions;
+  fields::SchemaWriter writer(definitions);
+  fields::describe(writer, dxf);
+  const json::JsonValue schema = writer.schema();
+  const json::JsonValue* words =
+      schema.find("properties")->find("layers")->find("additionalProperties")->find("enum");
+  std::vector<std::string> said;
+  for (const json::JsonValue& word : *words->array()) said.push_back(*word.text());
+  EXPECT_EQ(said, dxf::given_role_words());
 }
 
 TEST(OpenedFiles, KeepBodiesByTheirFileUnitAndAxis) {

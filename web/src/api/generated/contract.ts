@@ -269,6 +269,30 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/assets/{id}/layers": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example a_54ce42ce6ee49336caaa45f5216ac786 */
+                id: components["parameters"]["AssetId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * The layers of an uploaded DXF
+         * @description As they are read when nobody says otherwise, also of a file in which no piece can be found so: a drawing of several
+         *     layers is kept when it is uploaded, for its layers may be others than the usual ones.
+         */
+        get: operations["listLayers"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/projects": {
         parameters: {
             query?: never;
@@ -1921,7 +1945,9 @@ export interface components {
             info: components["schemas"]["DxfInfo"] | components["schemas"]["SpecificationInfo"] | components["schemas"]["BodyInfo"] | components["schemas"]["ImageInfo"];
         };
         DxfInfo: {
-            mm_per_unit: number;
+            /** @description not of a file without pieces */
+            mm_per_unit?: number;
+            /** @description none where the layers of the file have to be told before any piece can be found */
             pieces: {
                 name: string;
                 width_mm: number;
@@ -2117,6 +2143,31 @@ export interface components {
             created_ms: number;
             edits: components["schemas"]["edit.schema"];
         };
+        /**
+         * @description What layers of a DXF stand for, by their names in the file, instead of what their numbers (AAMA, ASTM) and names
+         *     say. Each must be in the file. ignore: what is drawn there is not read.
+         */
+        LayerMap: {
+            [key: string]: "cut" | "sew" | "internal" | "cutout" | "mirror" | "grain" | "notch" | "drill" | "turn" | "curve" | "ignore";
+        };
+        Layer: {
+            name: string;
+            /**
+             * @description shape: no layer says what it is, so closed lines are pieces and holes by how they lie; other: its lines are lines
+             *     within pieces; repeat: it repeats another layer
+             * @enum {unknown}
+             */
+            read_as: "cut" | "sew" | "internal" | "cutout" | "mirror" | "grain" | "notch" | "drill" | "turn" | "curve" | "ignore" | "grade" | "guide" | "text" | "repeat" | "other" | "shape";
+            /** @description the request says so */
+            given: boolean;
+            /** @description entities on it, all sizes */
+            count: number;
+            kinds: {
+                /** @example POLYLINE */
+                type: string;
+                count: number;
+            }[];
+        };
         Import: {
             asset: string;
             /** @description name of the asset, and in `document` */
@@ -2136,6 +2187,8 @@ export interface components {
             /** @description the one that was taken */
             size: string;
             sample_size: string;
+            /** @description of a DXF, those with numbers first */
+            layers: components["schemas"]["Layer"][];
             pieces: components["schemas"]["ImportedPiece"][];
             /** @description Proposals, surest first, between pieces by the names that they have as often as they are cut */
             seams: components["schemas"]["SeamProposal"][];
@@ -4879,7 +4932,10 @@ export interface operations {
                 /**
                  * @example {
                  *       "asset": "a_54ce42ce6ee49336caaa45f5216ac786",
-                 *       "unit": "cm"
+                 *       "unit": "cm",
+                 *       "layers": {
+                 *         "3": "sew"
+                 *       }
                  *     }
                  */
                 "application/json": {
@@ -4892,6 +4948,7 @@ export interface operations {
                     unit?: "mm" | "cm" | "inch";
                     /** @description To take of a graded DXF, instead of its sample size */
                     size?: string;
+                    layers?: components["schemas"]["LayerMap"];
                 };
             };
         };
@@ -4909,6 +4966,36 @@ export interface operations {
             404: components["responses"]["Problem"];
             413: components["responses"]["Problem"];
             415: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listLayers: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example a_54ce42ce6ee49336caaa45f5216ac786 */
+                id: components["parameters"]["AssetId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The layers, those with numbers first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        asset: string;
+                        file: string;
+                        layers: components["schemas"]["Layer"][];
+                    };
+                };
+            };
+            404: components["responses"]["Problem"];
             422: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
