@@ -1,7 +1,7 @@
 // Puts the page together: makes the state, connects it with the service, draws the panels.
 
 import { computed, effect, untracked } from '@preact/signals';
-import { render } from 'preact';
+import { render, type JSX } from 'preact';
 import { makeApi } from './api/Api';
 import { makeDressingApi } from './api/dressing';
 import { ClothStream, type WorkerPort } from './api/ClothStream';
@@ -28,6 +28,7 @@ import { Splitter } from './panels/Splitter';
 import { StartPage } from './panels/StartPage';
 import { StatusBar } from './panels/StatusBar';
 import { SweepDialog } from './panels/SweepDialog';
+import { AdminPanel } from './panels/AdminPanel';
 import { SweepPanel } from './panels/SweepPanel';
 import { TopBar } from './panels/TopBar';
 import { Tour } from './panels/Tour';
@@ -36,7 +37,7 @@ import { ScenePane } from './scene/ScenePane';
 import { AppState } from './state/AppState';
 import { StateContext } from './state/context';
 import { positionsHash } from './state/LiveCloth';
-import { formatRoute, parseRoute } from './state/routes';
+import { formatRoute, parseRoute, type Route } from './state/routes';
 import { listenForKeys } from './tools/keys';
 import { t } from './texts/language';
 
@@ -121,10 +122,26 @@ function Sweep() {
   );
 }
 
+/** The service for whoever runs it. */
+function Service() {
+  return (
+    <main class="serving">
+      <AdminPanel />
+    </main>
+  );
+}
+
+/** What is shown in place of the drape and what is worked with. */
+const kOwnPages: Partial<Record<Route['name'], () => JSX.Element>> = {
+  compare: Comparison,
+  sweep: Sweep,
+  admin: Service,
+};
+
 /** The drape beside what is worked with, or beside the first page. */
 function Main() {
-  if (state.route.value.name === 'compare') return <Comparison />;
-  if (state.route.value.name === 'sweep') return <Sweep />;
+  const Own = kOwnPages[state.route.value.name];
+  if (Own) return <Own />;
   const home = state.atHome.value;
   const large = state.editing.large.value ? ' pattern-large' : '';
   const shape = home ? `home${state.job.value ? '' : ' alone'}` : `at-${state.tab.value}${large}`;
@@ -181,6 +198,7 @@ listenForKeys(commands, state);
 watcher.start();
 new Comparer(state, api).start();
 commands.sweeps.start();
+commands.admin.start();
 commands.versions.start();
 new MapKeeper(state).start();
 new SectionKeeper(state, makeDressingApi()).start();

@@ -1,5 +1,6 @@
 // The service's routes as functions. Everything above this file talks to the service through it.
 
+import { makeAdminApi, type AdminApi } from './admin';
 import { decodeBody, type BodyMesh } from './body';
 import { Http, kLongPatience, matching } from './http';
 import { makeLinkApi, type LinkApi } from './links';
@@ -29,7 +30,7 @@ import type {
 
 export type JobAction = 'pause' | 'resume' | 'step' | 'cancel';
 
-export interface Api extends SessionApi, LinkApi, PatternUrls, SweepApi, VersionApi {
+export interface Api extends SessionApi, AdminApi, LinkApi, PatternUrls, SweepApi, VersionApi {
   projects(): Promise<Project[]>;
   project(id: string): Promise<Project>;
   createProject(document: unknown, files: Record<string, string>): Promise<Project>;
@@ -83,8 +84,9 @@ const part = encodeURIComponent;
 const kBytes = { 'Content-Type': 'application/octet-stream' };
 
 /** What has files of its own. */
-const otherRoutes = (http: Http): SessionApi & LinkApi & PatternUrls & SweepApi & VersionApi => ({
+const otherRoutes = (http: Http): SessionApi & AdminApi & LinkApi & PatternUrls & SweepApi & VersionApi => ({
   ...makeSessionApi(http),
+  ...makeAdminApi(http),
   ...makeLinkApi(http),
   ...makePatternUrls(http),
   ...makeSweepApi(http),

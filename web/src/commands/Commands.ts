@@ -10,6 +10,7 @@ import { isPicture, planIntake, type GivenFile, type IntakePlan } from '../state
 import { commandsOf } from '../state/jobs';
 import type { Fix } from '../state/outcome';
 import { formatRoute, type Route } from '../state/routes';
+import { AdminCommands } from './AdminCommands';
 import { DressingCommands } from './DressingCommands';
 import { ImportCommands } from './ImportCommands';
 import { LiveCommands } from './LiveCommands';
@@ -46,6 +47,7 @@ export class Commands {
   readonly live: LiveCommands;
   readonly tours: TourCommands;
   readonly versions: VersionCommands;
+  readonly admin: AdminCommands;
 
   constructor(
     private readonly state_: AppState,
@@ -62,6 +64,7 @@ export class Commands {
     this.sweeps = new SweepCommands(state_, api_, (route) => this.open(route), () => around_.newKey(), refresh_);
     this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));
     this.versions = new VersionCommands(state_, api_, (ask) => this.pattern.change(ask));
+    this.admin = new AdminCommands(state_, api_);
     this.tours = new TourCommands(state_);
     this.live = new LiveCommands(state_, (word) => around_.say(word));
     this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);

@@ -13,6 +13,7 @@ const lost = (name: Route['name']): string => ({ home: '',
   project: t.frame.lostPages.project,
   compare: t.frame.lostPages.compare,
   sweep: '', // says so itself
+  admin: '', // likewise
   shared: '', // has a page of its own
   unknown: t.frame.lostPages.unknown,
   })[name];

@@ -2,6 +2,7 @@
 
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
+import { mayRun } from '../state/admin';
 import { commandsOf, isActive } from '../state/jobs';
 import { Icon } from '../controls/Icon';
 import { BrandMark } from '../controls/BrandMark';
@@ -28,6 +29,11 @@ export function TopBar() {
       </a>
       <div class="crumbs">{!home && <Crumbs />}</div>
       {!home && <Actions />}
+      {mayRun(state.session.value) && (
+        <a class="plain" href="#/admin" title={t.admin.openTip}>
+          <Icon name="sliders" /> <span class="label">{t.admin.open}</span>
+        </a>
+      )}
       {state.session.value?.accounts && <LogOut name={state.session.value.name ?? ''} />}
       <Settings />
       <button

@@ -7,6 +7,7 @@ import type { StreamConnection } from '../api/JobStream';
 import type { Picture } from '../api/pictures';
 import type { EditStep, Job, Pieces, Progress, Project, Report, Session } from '../api/types';
 import type { ClothMap, MapKind } from './clothMaps';
+import type { AdminView } from './admin';
 import { ComparisonState } from './comparison';
 import { DressingState, type Marks } from './dressing';
 import { EditingState, keepsTheShape, stepText } from './editing';
@@ -93,6 +94,8 @@ export class AppState {
   readonly comparison = new ComparisonState();
   readonly sweeps = new SweepState();
   readonly versions = new VersionState();
+  /** Of the service, while the address shows it. */
+  readonly admin: Signal<Loaded<AdminView>> = signal(loading);
 
   readonly notices: Signal<Notice[]> = signal([]);
   readonly intake: Signal<Intake | null> = signal(null);

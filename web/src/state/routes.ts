@@ -6,12 +6,14 @@ export type Route =
   | { name: 'job'; id: string }
   | { name: 'sweep'; id: string }
   | { name: 'compare'; left: string; right: string }
+  | { name: 'admin' }
   | { name: 'shared'; secret: string }
   | { name: 'unknown'; path: string };
 
 export function parseRoute(hash: string): Route {
   const path = hash.replace(/^#/, '');
   if (path === '' || path === '/') return { name: 'home' };
+  if (path === '/admin') return { name: 'admin' };
   const two = /^\/compare\/([A-Za-z0-9_-]{1,64})\/([A-Za-z0-9_-]{1,64})$/.exec(path);
   if (two) return { name: 'compare', left: two[1]!, right: two[2]! };
   const shared = /^\/shared\/(\w{1,128})$/.exec(path);
@@ -34,6 +36,8 @@ export function formatRoute(route: Route): string {
       return `#/sweeps/${route.id}`;
     case 'compare':
       return `#/compare/${route.left}/${route.right}`;
+    case 'admin':
+      return '#/admin';
     case 'shared':
       return `#/shared/${route.secret}`;
     case 'unknown':

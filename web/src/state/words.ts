@@ -10,7 +10,8 @@ export { sentence } from '../texts/told';
 export function bytes(n: number): string {
   if (n < 1000) return `${n} B`;
   if (n < 1e6) return `${fixed(n / 1e3, n < 1e4 ? 1 : 0)} kB`;
-  return `${fixed(n / 1e6, 1)} MB`;
+  if (n < 1e9) return `${fixed(n / 1e6, 1)} MB`;
+  return `${fixed(n / 1e9, 1)} GB`;
 }
 
 /** A file's name without its ending. */

@@ -1,6 +1,7 @@
 // All that the page says, in German. It is fetched when it is wanted.
 
 import type { Texts } from './en';
+import { admin } from './de/admin';
 import { arrange } from './de/arrange';
 import { body } from './de/body';
 import { common } from './de/common';
@@ -24,6 +25,7 @@ import { tour } from './de/tour';
 import { versions } from './de/versions';
 
 export const de: Texts = {
+  admin,
   arrange,
   body,
   common,

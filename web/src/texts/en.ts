@@ -1,5 +1,6 @@
 // All that the page says, in English: a section for each part of the page. The other languages have its type.
 
+import { admin } from './en/admin';
 import { arrange } from './en/arrange';
 import { body } from './en/body';
 import { common } from './en/common';
@@ -23,6 +24,7 @@ import { tour } from './en/tour';
 import { versions } from './en/versions';
 
 export const en = {
+  admin,
   arrange,
   body,
   common,

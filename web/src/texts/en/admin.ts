@@ -1,0 +1,51 @@
+// The service for whoever runs it.
+
+export const admin = {
+  open: 'Service',
+  openTip: 'Load of the service, its accounts and everybody’s drapes',
+  title: 'The service',
+  loading: 'Looking at the service…',
+  single: 'the one user',
+  load: {
+    title: 'Load',
+    running: 'Drapes under way',
+    queued: 'Drapes in the queue',
+    paused: 'Drapes paused',
+    viewers: 'Viewers',
+    disk: 'Kept on disk',
+    free: 'Free on disk',
+    notReady: 'The service takes no new work at the moment.',
+    failures: 'What could not be kept since it began:',
+  },
+  accounts: {
+    title: 'Accounts',
+    heads: {
+      name: 'Name',
+      keeps: 'Keeps',
+      projects: 'Projects',
+      drapes: 'Drapes',
+      unfinished: 'Not ended',
+      since: 'Since',
+      door: 'Door',
+    },
+    admin: 'may do all',
+    locked: 'locked out',
+    lock: 'Lock out',
+    unlock: 'Let in again',
+    of: (what: string, name: string) => `${what}: ${name}`,
+  },
+  jobs: {
+    title: 'Drapes that have not ended',
+    none: 'Nothing is draped, and nothing waits.',
+    heads: {
+      name: 'Drape',
+      account: 'Account',
+      state: 'State',
+      priority: 'Priority',
+      worked: 'Processor time',
+      begun: 'Begun',
+      holder: 'Worked on by',
+    },
+    priorities: { interactive: 'at once', batch: 'when there is time' },
+  },
+};
