@@ -220,8 +220,8 @@ describe('a project from files', () => {
     const createProject = vi.fn(fakeApi().createProject);
     const uploadAsset = vi.fn(fakeApi().uploadAsset);
     const { commands, state, order } = begin({ createProject, uploadAsset });
-    await commands.addFiles(files);
-    await commands.createProject(false);
+    await commands.intake.addFiles(files);
+    await commands.intake.createProject(false);
     expect(uploadAsset.mock.calls.map(([kind, name]) => [kind, name])).toEqual([
       ['dxf', 'n.dxf'],
       ['body', 'b.obj'],
@@ -235,15 +235,15 @@ describe('a project from files', () => {
     const { commands, state } = begin({
       uploadAsset: () => Promise.reject(new ApiError(422, 'dxf.truncated', 'The file ends early.', 'n.dxf:3')),
     });
-    await commands.addFiles(files);
-    await commands.createProject(true);
+    await commands.intake.addFiles(files);
+    await commands.intake.createProject(true);
     expect(state.intake.value).toMatchObject({ busy: '', error: { code: 'dxf.truncated', where: 'n.dxf:3' } });
   });
 
   it('has the newer one of two files of a name', async () => {
     const { commands, state } = begin();
-    await commands.addFiles(files);
-    await commands.addFiles([{ name: 'N.dxf', blob: new Blob(['newer']) }]);
+    await commands.intake.addFiles(files);
+    await commands.intake.addFiles([{ name: 'N.dxf', blob: new Blob(['newer']) }]);
     expect(state.intake.value?.files.map((file) => [file.name, file.blob.size])).toContainEqual(['N.dxf', 5]);
     expect(state.intake.value?.files.length).toBe(3);
     expect(state.intake.value?.plan?.ready).toBe(true);
@@ -252,8 +252,8 @@ describe('a project from files', () => {
   it('is not made before everything is there', async () => {
     const createProject = vi.fn(fakeApi().createProject);
     const { commands } = begin({ createProject });
-    await commands.addFiles(files.slice(0, 2));
-    await commands.createProject(false);
+    await commands.intake.addFiles(files.slice(0, 2));
+    await commands.intake.createProject(false);
     expect(createProject).not.toHaveBeenCalled();
   });
 });
@@ -275,7 +275,7 @@ describe('a sample', () => {
     vi.stubGlobal('fetch', async (url: string) => new Response(answers[url]));
     const createProject = vi.fn(fakeApi().createProject);
     const { commands, state, order } = begin({ createProject });
-    await commands.startSample(sample);
+    await commands.intake.startSample(sample);
     expect(createProject).toHaveBeenCalledWith(document, { 'n.dxf': 'a_n.dxf' });
     expect(order).toEqual(['go #/projects/p_new', 'watch j_new', 'go #/jobs/j_new']);
     expect(state.sampling.value).toBe('');
@@ -285,7 +285,7 @@ describe('a sample', () => {
   it('says so when it does not come', async () => {
     vi.stubGlobal('fetch', async () => new Response('', { status: 404 }));
     const { commands, state, order } = begin();
-    await commands.startSample(sample);
+    await commands.intake.startSample(sample);
     expect(order).toEqual([]);
     expect(state.notices.value[0]?.text).toMatch(/did not come: 404/);
     vi.unstubAllGlobals();

@@ -164,7 +164,7 @@ describe('a picture that is dropped alone', () => {
     const around = { go: () => undefined, save: () => undefined, newKey: () => '', anew: () => undefined, say: () => undefined, follow: () => undefined };
     const nothing = (): void => undefined;
     const commands = new Commands(state, api, around, nothing, nothing);
-    await commands.addFiles(names.map((name) => ({ name, blob: new Blob(['x']) })));
+    await commands.intake.addFiles(names.map((name) => ({ name, blob: new Blob(['x']) })));
     return { pieces: sent.flatMap(({ edits }) => edits.map((edit) => 'piece' in edit && edit.piece)), asked: state.intake.value !== null };
   };
 

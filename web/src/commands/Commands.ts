@@ -2,17 +2,16 @@
 
 import type { Api, JobAction } from '../api/Api';
 import { makeDressingApi, type DressingApi } from '../api/dressing';
-import { fetchSample, type Sample } from '../api/samples';
-import type { Job, Progress, Project, StreamWord } from '../api/types';
+import type { Job, Progress, StreamWord } from '../api/types';
 import type { AppState, View } from '../state/AppState';
-import { loading, ready, valueOf } from '../state/AppState';
-import { isPicture, planIntake, type GivenFile, type IntakePlan } from '../state/intake';
+import { ready, valueOf } from '../state/AppState';
 import { commandsOf } from '../state/jobs';
 import type { Fix } from '../state/outcome';
 import { formatRoute, type Route } from '../state/routes';
 import { AdminCommands } from './AdminCommands';
 import { DressingCommands } from './DressingCommands';
-import { ImportCommands } from './ImportCommands';
+import type { ImportCommands } from './ImportCommands';
+import { IntakeCommands } from './IntakeCommands';
 import { LiveCommands } from './LiveCommands';
 import { asApiError, notify, notifyError } from './notices';
 import { PatternCommands } from './PatternCommands';
@@ -40,6 +39,7 @@ export interface Surroundings {
 export class Commands {
   readonly pattern: PatternCommands;
   readonly ranges: RangeCommands;
+  readonly intake: IntakeCommands;
   readonly imports: ImportCommands;
   readonly dressing: DressingCommands;
   readonly textures: TextureCommands;
@@ -67,7 +67,15 @@ export class Commands {
     this.admin = new AdminCommands(state_, api_);
     this.tours = new TourCommands(state_);
     this.live = new LiveCommands(state_, (word) => around_.say(word));
-    this.imports = new ImportCommands(state_, api_, (project, drape) => this.made(project, drape), around_.save);
+    this.intake = new IntakeCommands(state_, api_, {
+      dressing: this.dressing,
+      textures: this.textures,
+      open: ({ id }) => this.open({ name: 'project', id }),
+      drape: () => this.startDrape(),
+      save: around_.save,
+      refresh: refresh_,
+    });
+    this.imports = this.intake.imports;
   }
 
   open(route: Route, replace = false): void {
@@ -138,21 +146,6 @@ export class Commands {
       notifyError(this.state_, error);
     }
     this.refresh_();
-  }
-
-  /** Makes a project of a sample and drapes it. */
-  async startSample(sample: Sample): Promise<void> {
-    const { sampling } = this.state_;
-    if (sampling.value !== '') return;
-    sampling.value = sample.id;
-    try {
-      const plan = await this.planOf(await fetchSample(sample));
-      await this.made(await this.upload(plan, () => undefined), true);
-    } catch (error) {
-      notifyError(this.state_, error);
-    } finally {
-      sampling.value = '';
-    }
   }
 
   /** Removes a drape that has ended, with its results. */
@@ -238,97 +231,6 @@ export class Commands {
 
   showView(view: View): void {
     this.state_.view.value = { view, turn: this.state_.view.value.turn + 1 };
-  }
-
-  // ---- new project from files
-
-  /** Adds files to the dialog, which opens with the first ones. */
-  async addFiles(files: GivenFile[]): Promise<void> {
-    if (files.length === 0) return;
-    const { intake } = this.state_;
-    if (await this.tookPicture(files)) return;
-    const replaced = (old: GivenFile): boolean =>
-      files.some((file) => file.name.toLowerCase() === old.name.toLowerCase());
-    const all = [...(intake.value?.files ?? []).filter((old) => !replaced(old)), ...files];
-    intake.value = { files: all, plan: intake.value?.plan ?? null, busy: t.messages.reading, error: null };
-    const plan = await this.planOf(all);
-    if (intake.value?.files !== all) return;
-    intake.value = { files: all, plan, busy: '', error: null };
-    await this.imports.follow(plan.loose);
-  }
-
-  /** A picture that comes alone while pieces are shown lies on the selected one, or on all. */
-  private async tookPicture(files: readonly GivenFile[]): Promise<boolean> {
-    const { intake, pieces, selected } = this.state_;
-    const [picture] = files;
-    const shown = valueOf(pieces.value ?? loading)?.pieces ?? [];
-    if (!picture || files.length > 1 || !isPicture(picture.name) || intake.value || shown.length === 0) return false;
-    const chosen = shown.filter((piece) => piece.id === selected.value);
-    const ids = (chosen.length > 0 ? chosen : shown).map((piece) => piece.id);
-    await this.textures.upload(ids, picture.name, picture.blob);
-    return true;
-  }
-
-  private async planOf(files: readonly GivenFile[]): Promise<IntakePlan> {
-    await this.dressing.loadTables();
-    return planIntake(files, this.state_.dressing.meshEndings.value);
-  }
-
-  openIntake(): void {
-    void this.dressing.loadTables();
-    this.state_.intake.value ??= { files: [], plan: null, busy: '', error: null };
-  }
-
-  closeIntake(): void {
-    this.state_.importing.value = null;
-    this.state_.intake.value = null;
-  }
-
-  async removeFile(name: string): Promise<void> {
-    const { intake } = this.state_;
-    const files = (intake.value?.files ?? []).filter((file) => file.name !== name);
-    const plan = files.length > 0 ? await this.planOf(files) : null;
-    intake.value = { files, plan, busy: '', error: null };
-    await this.imports.follow(plan?.loose ?? null);
-  }
-
-  /** Uploads the files, makes the project, shows it, and drapes it when asked to. */
-  async createProject(thenDrape: boolean): Promise<void> {
-    const { intake } = this.state_;
-    const now = intake.value;
-    if (!now?.plan?.ready || now.busy) return;
-    const say = (busy: string): void => void (intake.value = { ...now, busy, error: null });
-    try {
-      await this.made(await this.upload(now.plan, say), thenDrape);
-    } catch (error) {
-      intake.value = { ...now, busy: '', error: asApiError(error) };
-    }
-    this.refresh_();
-  }
-
-  /** A new project: shown, and draped when asked to. */
-  private async made(project: Project, thenDrape: boolean): Promise<void> {
-    const { projects, intake } = this.state_;
-    projects.value = ready([project, ...(valueOf(projects.value) ?? [])]);
-    intake.value = null;
-    this.open({ name: 'project', id: project.id });
-    if (thenDrape) await this.startDrape();
-    else notify(this.state_, { tone: 'good', text: t.messages.projectThere(project.name) });
-    this.refresh_();
-  }
-
-  private async upload(
-    plan: IntakePlan,
-    say: (busy: string) => void,
-  ): Promise<Awaited<ReturnType<Api['createProject']>>> {
-    const files: Record<string, string> = {};
-    for (const { name, kind, file } of plan.needed) {
-      say(t.messages.uploading(name));
-      const asset = await this.api_.uploadAsset(kind, file!.name, file!.blob);
-      files[name] = asset.id;
-    }
-    say(t.messages.makingProject);
-    return this.api_.createProject(plan.document, files);
   }
 
   /**

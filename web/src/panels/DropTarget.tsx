@@ -24,7 +24,7 @@ export function DropTarget() {
       if (!carriesFiles(event)) return;
       event.preventDefault();
       over.value = false;
-      void commands.addFiles([...event.dataTransfer!.files].map((file) => ({ name: file.name, blob: file })));
+      void commands.intake.addFiles([...event.dataTransfer!.files].map((file) => ({ name: file.name, blob: file })));
     };
     const listeners = [
       ['dragenter', enter],

@@ -12,7 +12,7 @@ export function Dropzone({ title, focused = false }: { title: string; focused?: 
   const commands = useCommands();
   const input = useRef<HTMLInputElement>(null);
   const take = (list: FileList | null): void =>
-    void commands.addFiles([...(list ?? [])].map((file) => ({ name: file.name, blob: file })));
+    void commands.intake.addFiles([...(list ?? [])].map((file) => ({ name: file.name, blob: file })));
   return (
     <>
       <button class="dropzone" autofocus={focused} onClick={() => input.current?.click()}>

@@ -37,7 +37,7 @@ function Dialog({ intake, Preview }: { intake: Intake } & PreviewSlot) {
       class={`intake${draft ? ' wide' : ''}`}
       id="intake-title"
       title={draft ? t.intake.newFrom(draft.source.file.name) : t.common.newProject}
-      close={() => commands.closeIntake()}
+      close={() => commands.intake.close()}
       mayLeave={mayLeave}
     >
       <div class="sheet-body">
@@ -82,7 +82,7 @@ function isWhole(intake: Intake, draft: ImportDraft | null): boolean {
 /** The way on, and what is being done. */
 function Makers({ intake, draft, hint }: { intake: Intake; draft: ImportDraft | null; hint: string }) {
   const commands = useCommands();
-  const make = (drape: boolean): void => void (draft ? commands.imports.make(drape) : commands.createProject(drape));
+  const make = (drape: boolean): void => void (draft ? commands.imports.make(drape) : commands.intake.createProject(drape));
   const stuck = !isWhole(intake, draft) || intake.busy !== '';
   return (
     <footer>
@@ -129,7 +129,7 @@ function Given({ intake }: { intake: Intake }) {
           <button
             class="tool flat"
             aria-label={t.frame.remove(file.name)}
-            onClick={() => void commands.removeFile(file.name)}
+            onClick={() => void commands.intake.removeFile(file.name)}
           >
             <Icon name="cross" />
           </button>

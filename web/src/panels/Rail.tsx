@@ -29,7 +29,7 @@ export function Rail({ resultUrl }: PicturesProps) {
           class="tool flat"
           title={t.frame.newFromFilesKey}
           aria-label={t.common.newProject}
-          onClick={() => commands.openIntake()}
+          onClick={() => commands.intake.open()}
         >
           <Icon name="plus" />
         </button>
@@ -71,7 +71,7 @@ function ProjectList({ resultUrl }: PicturesProps) {
     return (
       <p class="hint">
         {t.frame.noProjects} <b>DXF</b> {t.frame.noProjectsOr}{' '}
-        <button class="link" onClick={() => commands.openIntake()}>
+        <button class="link" onClick={() => commands.intake.open()}>
           {t.frame.chooseFiles}
         </button>
         .

@@ -59,7 +59,7 @@ function SampleCard({ sample }: { sample: Sample }) {
         disabled={sampling.value !== ''}
         aria-busy={busy}
         title={t.intake.sampleTip}
-        onClick={() => void commands.startSample(sample)}
+        onClick={() => void commands.intake.startSample(sample)}
       >
         <span class="card-picture">
           {busy ? <span class="spinner" aria-hidden="true" /> : <img src={sample.picture} alt="" />}

@@ -52,7 +52,7 @@ export const bindings: Binding[] = [
       else if (s.touchable.value) c.live.take('pin');
     },
   },
-  { key: 'o', shown: 'O', title: () => t.keys.does.newProject, group: 'drape', run: (c) => c.openIntake() },
+  { key: 'o', shown: 'O', title: () => t.keys.does.newProject, group: 'drape', run: (c) => c.intake.open() },
   ...patternTools.map(taking),
   {
     key: 'enter',

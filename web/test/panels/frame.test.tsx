@@ -198,7 +198,7 @@ describe('the start page', () => {
     expect(button(/Drop a DXF pattern here/)).toBeTruthy();
     click(button('T-shirt'));
     const [[command, sample]] = page.asked() as [[string, Sample]];
-    expect(command).toBe('startSample');
+    expect(command).toBe('intake.startSample');
     expect([...sample.files.keys()].sort()).toEqual(['project.json', 'tshirt.dxf']);
     expect(sample.picture).toMatch(/picture/);
     const project = screen.getByRole('link', { name: /Skirt/ });
@@ -211,7 +211,7 @@ describe('the start page', () => {
     const field = document.querySelector('input[type=file]')!;
     Object.defineProperty(field, 'files', { value: [new File(['0'], 'shirt.dxf')] });
     fireEvent.change(field);
-    expect(page.asked()).toMatchObject([['addFiles', [{ name: 'shirt.dxf' }]]]);
+    expect(page.asked()).toMatchObject([['intake.addFiles', [{ name: 'shirt.dxf' }]]]);
   });
 
   it('makes one sample at a time, and says of which a project is being made', () => {
@@ -258,7 +258,7 @@ describe('the list of projects and drapes', () => {
     expect(screen.getByText(/What you drape is listed here/)).toBeTruthy();
     click(button('choose files'));
     click(button('New project'));
-    expect(page.asked()).toEqual([['openIntake'], ['openIntake']]);
+    expect(page.asked()).toEqual([['intake.open'], ['intake.open']]);
   });
 
   it('shows that it is loading, and why it could not be', () => {
@@ -392,7 +392,7 @@ describe('files that are dragged over the page', () => {
     expect(screen.getByText('Drop to make a project')).toBeTruthy();
     fireEvent.drop(window, carried(file));
     expect(screen.queryByText('Drop to make a project')).toBeNull();
-    expect(page.asked()).toEqual([['addFiles', [{ name: 'skirt.dxf', blob: file }]]]);
+    expect(page.asked()).toEqual([['intake.addFiles', [{ name: 'skirt.dxf', blob: file }]]]);
   });
 
   it('may leave again, and what is no file is left alone', () => {

@@ -67,7 +67,7 @@ describe('the dialog of a new project', () => {
     expect(screen.getByText(/Escape once more/)).toBeTruthy();
     expect(page.asked()).toEqual([]);
     fireEvent(dialog, new Event('cancel', { cancelable: true }));
-    expect(page.asked()).toEqual([['closeIntake']]);
+    expect(page.asked()).toEqual([['intake.close']]);
   });
 
   it('asks for files, and makes nothing of none', () => {
@@ -79,7 +79,7 @@ describe('the dialog of a new project', () => {
     const file = new File(['x'], 'body.3ds');
     fireEvent.change(input, { target: { files: [file] } });
     click(button('Close'));
-    expect(page.asked()).toEqual([['addFiles', [{ name: 'body.3ds', blob: file }]], ['closeIntake']]);
+    expect(page.asked()).toEqual([['intake.addFiles', [{ name: 'body.3ds', blob: file }]], ['intake.close']]);
   });
 
   it('takes every mesh that the service reads', () => {
@@ -99,7 +99,7 @@ describe('the dialog of a new project', () => {
     const rows = screen.getAllByRole('listitem').map((row) => row.querySelector('small')?.textContent);
     expect(rows.slice(0, 2)).toEqual(['Project', 'Not used']);
     click(button('Remove spare.dxf'));
-    expect(page.asked()).toEqual([['removeFile', 'spare.dxf']]);
+    expect(page.asked()).toEqual([['intake.removeFile', 'spare.dxf']]);
     expect(isOff(button('Create'))).toBe(true);
   });
 
@@ -110,8 +110,8 @@ describe('the dialog of a new project', () => {
     click(button('Create'));
     click(button('Create and drape'));
     expect(page.asked()).toEqual([
-      ['createProject', false],
-      ['createProject', true],
+      ['intake.createProject', false],
+      ['intake.createProject', true],
     ]);
   });
 
