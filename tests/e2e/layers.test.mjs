@@ -80,7 +80,7 @@ describe('a pattern of other layers', () => {
     await service.start();
     await page.reload();
     await waitFor(page, () => window.__toile.project() !== null);
-    await page.getByRole('button', { name: 'Start drape' }).click();
+    await page.locator('.topbar').getByRole('button', { name: 'Start drape' }).click();
     await waitForState(page, 'succeeded');
     const { id } = await ask(page, 'job');
     const { worn, intersections } = await (await service.get(`/jobs/${id}/results/report.json`)).json();

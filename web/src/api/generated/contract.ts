@@ -2914,6 +2914,10 @@ export interface components {
             units?: "mm" | "cm" | "inch";
             /** @description Size to take of a graded file, instead of its sample size. */
             size?: components["schemas"]["text"];
+            /** @description What layers of the file stand for, by their names there, instead of what their numbers (AAMA) and names say. */
+            layers?: {
+                [key: string]: "cut" | "sew" | "internal" | "cutout" | "mirror" | "grain" | "notch" | "drill" | "turn" | "curve" | "ignore";
+            };
         };
         /** @description A run of the outline between two corners: what seams and attachments name. */
         edge: {
