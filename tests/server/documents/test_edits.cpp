@@ -153,7 +153,7 @@ TEST(Imports, GiveADocumentThatMakesAProjectOnceItIsSent) {
 std::string odd_dxf() {
   std::string text = cloth_dxf();
   for (std::size_t at = 0; (at = text.find("8\nCUT\n", at)) != std::string::npos;)
-    text.replace(at, 6, "8\n5");
+    text.replace(at, 6, "8\n5\n");
   const auto line = [](const char* layer, const char* x) {
     return std::string("0\nLINE\n8\n") + layer + "\n10\n" + x + "\n20\n50\n11\n" + x + "\n21\n250\n";
   };
@@ -219,9 +219,9 @@ TEST(Imports, RefuseLayersThatAreNotThereWithTheirPlace) {
     return documents::create_project(at.store.documents(), kMe, document, at.files).error();
   };
   const Error word = made(R"({"CUT": "saw"})"), name = made(R"({"TUC": "cut"})");
-  EXPECT_EQ(word.code + word.where, "project.unknown_value/pieces/0/from/layers/CUT");
+  EXPECT_EQ(word.code + word.where, "project.unknown_value/document/pieces/0/from/layers/CUT");
   EXPECT_EQ(name.code, "dxf.unknown_layer");
-  EXPECT_TRUE(name.where.starts_with("/pieces/0/from/layers")) << name.where;
+  EXPECT_TRUE(name.where.starts_with("/document/pieces/0/from/layers")) << name.where;
   EXPECT_EQ(documents::pattern_layers(at.store.documents(), kMe, at.body).error().code,
             "documents.wrong_kind");
 }
