@@ -1,7 +1,7 @@
 # Builds and tests the page (web/). Sourced by ./run and ./test, after packages.sh:
 #   build_web      web/dist, when a source is newer than it
 #   test_web       the unit tests of the page and of the stream's codec
-#   test_page_long whole drapes in it, after test_page
+#   test_page_long whole ways in it, from a dropped DXF to a model and a movie, after test_page
 #   test_page      the page in Debian's Chromium over the built server; wants package chromium
 
 # Node as the machine has it; Debian's when there is none.
@@ -46,8 +46,8 @@ test_page() {
   (cd web && npm run --silent e2e)
 }
 
-# Whole drapes of patterns from outside, through the page.
+# From a dropped DXF to a model and a movie, of samples and of patterns from outside, through the page.
 test_page_long() {
-  echo "== Draping reference patterns in a browser"
+  echo "== Going whole ways in a browser"
   (cd web && npm run --silent e2e:long)
 }
