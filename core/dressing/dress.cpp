@@ -216,9 +216,11 @@ void judge(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dres
       bared_shoulders(assembly, wearer.figure(), dressed.certificate.rings, dressed.positions);
 }
 
-/// The cloth comes back to its shape, as far as that makes no new tangle. False where it is tangled as it is.
-bool come_back(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& way,
-               const RunContext& context, Effort& effort, Sewn& sewn) {
+/// The cloth comes back to its shape, as far as that makes no new tangle: its shapes on the way, the fullest
+/// last. None where it is tangled as it is; `sewn` is then as far apart as it came.
+std::vector<std::vector<Vec3>> come_back(const sewing::Assembly& assembly, const Wearer& wearer,
+                                         const DressingWay& way, const RunContext& context, Effort& effort,
+                                         Sewn& sewn) {
   const OnShoulders shoulders(assembly, wearer, sewn.vertex_of, sewn.mesh.vertex_count);
   const SlimFigure whole = wearer.slim(0);
   const collision::Surface surface = collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count);
@@ -248,18 +250,45 @@ bool come_back(const sewing::Assembly& assembly, const Wearer& wearer, const Dre
       pass(x, of_x, least, kSmooth);
     }
   };
-  if (!parted(sewn.x, guard, way.least_stretch, HUGE_VAL)) return false;
+  if (!parted(sewn.x, guard, way.least_stretch, HUGE_VAL)) return {};
+  std::vector<std::vector<Vec3>> shapes{sewn.x};
   for (const double wanted : kComingBack) {
-    if (effort.spent() || context.cancelled()) return true;
+    if (effort.spent() || context.cancelled()) break;
     const double least = std::max(wanted, way.least_stretch);
-    std::vector<Vec3> x = sewn.x;
+    std::vector<Vec3> x = shapes.back();
     AxisGuard of_x = guard;
     pass(x, of_x, least, 0.5 * way.bending);
-    if (!parted(x, of_x, least, kLessTangled)) return true;
-    sewn.x = std::move(x);
+    if (!parted(x, of_x, least, kLessTangled)) break;
+    shapes.push_back(std::move(x));
     guard = std::move(of_x);
   }
-  return true;
+  return shapes;
+}
+
+std::vector<Vec3> placed_at(const Sewn& sewn) {
+  std::vector<Vec3> positions = unjoined(sewn);
+  for (Vec3& p : positions) p = snapped(p);
+  return positions;
+}
+
+/// The fullest of these shapes that is certified: fuller cloth may lie too close to itself or to the body for
+/// contact to begin with where it is tight, and smaller cloth has room. Where none is, the fullest. `dressed`
+/// has what the garment is without them.
+void take_fullest(const sewing::Assembly& assembly, const Wearer& wearer,
+                  std::vector<std::vector<Vec3>> shapes, Sewn& sewn, Dressed& dressed) {
+  std::optional<Dressed> fullest;
+  for (; !shapes.empty(); shapes.pop_back()) {
+    sewn.x = std::move(shapes.back());
+    make_room(wearer, sewn);
+    dressed.positions = placed_at(sewn);
+    dressed.effort.spend(assembly.garment.vertex_count(), kJudging);
+    judge(assembly, wearer, dressed);
+    if (dressed.certificate.holds()) return;
+    if (!fullest) fullest = dressed;
+    if (dressed.certificate.wrong_rings() > 0 || dressed.effort.spent()) break;
+  }
+  fullest->effort = dressed.effort;
+  dressed = std::move(*fullest);
 }
 
 }  // namespace
@@ -272,12 +301,16 @@ Dressed dress(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
   for (const auto& [i, j] : g.sewn) dressed.seam_gap = std::max(dressed.seam_gap, length(open[i] - open[j]));
   Sewn sewn = shape_of(assembly, joined(g), open);
   grow(assembly, wearer, way, context, watch, sewn);
-  dressed.effort.spend(g.vertex_count(), kSewing + kGrowing + kJudging);
-  const bool parted = rings_right(g, unjoined(sewn), wearer.skeleton()) &&
-                      come_back(assembly, wearer, way, context, dressed.effort, sewn);
-  if (parted) make_room(wearer, sewn);  // no room makes good what is not on
-  for (Index i = 0; i < g.vertex_count(); ++i)
-    dressed.positions.push_back(snapped(sewn.x[sewn.vertex_of[i]]));
+  dressed.effort.spend(g.vertex_count(), kSewing + kGrowing);
+  if (rings_right(g, unjoined(sewn), wearer.skeleton())) {
+    auto shapes = come_back(assembly, wearer, way, context, dressed.effort, sewn);
+    if (!shapes.empty()) {
+      take_fullest(assembly, wearer, std::move(shapes), sewn, dressed);
+      return dressed;
+    }
+  }
+  dressed.positions = placed_at(sewn);  // no room makes good what is not on
+  dressed.effort.spend(g.vertex_count(), kJudging);
   judge(assembly, wearer, dressed);
   return dressed;
 }
