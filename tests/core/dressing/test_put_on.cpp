@@ -81,7 +81,7 @@ pattern::Pattern narrow() {
 
 TEST(PutOn, ATopThatIsFarTooSmallIsOnAndStrained) {
   const dressing::Wearer wearer(test::person());
-  const sewing::Assembly assembly = placed(top(0.6), 0.022, top_height());
+  const sewing::Assembly assembly = placed(top(0.55), 0.022, top_height());
   const auto on = dressing::put_on(assembly, assembly, wearer, {}).on;
   ASSERT_TRUE(on.has_value());
   EXPECT_TRUE(on->certificate.holds_strained());
