@@ -14,7 +14,7 @@ inline const char* const kFullDocument = R"({
   "pieces": [
     {
       "id": "front",
-      "from": {"dxf": "cut/skirt.dxf", "piece": "FRONT", "corners": [[0, 0], [10.5, 20]], "units": "inch", "size": "42"},
+      "from": {"dxf": "cut/skirt.dxf", "piece": "FRONT", "corners": [[0, 0], [10.5, 20]], "units": "inch", "size": "42", "layers": {"3": "sew"}},
       "edge_names": {"e0": "waist", "e1": "side"},
       "fabric": "wool",
       "placement": {"wrapped": {"axis": [0.1, -0.2], "radius": 0.25, "angle": -45, "height": 1.1,
