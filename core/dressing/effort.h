@@ -11,8 +11,9 @@ namespace toile::dressing {
 /// every machine. One unit is a vertex in one pass of the shape problem: about a microsecond.
 class Effort {
  public:
-  /// Garments that can be put on cost a twentieth of it, huge ruffles a quarter.
-  static constexpr std::int64_t kMost = 40'000'000;
+  /// Garments that can be put on cost a tenth of it, huge ruffles half. Who asks for a check waits for all of
+  /// it where nothing helps.
+  static constexpr std::int64_t kMost = 24'000'000;
 
   Effort() = default;
   explicit Effort(std::int64_t most) : left_(most) {}
