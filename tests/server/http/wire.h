@@ -20,9 +20,9 @@ class Wire {
   /// False when the other side does not take it.
   bool send(std::string_view bytes);
   /// Exactly `size` bytes; nothing when they do not come within `within_s`.
-  std::optional<std::string> read(std::size_t size, double within_s = 20);
+  std::optional<std::string> read(std::size_t size, double within_s = 120);
   /// Up to and with `mark`.
-  std::optional<std::string> read_until(std::string_view mark, double within_s = 20);
+  std::optional<std::string> read_until(std::string_view mark, double within_s = 120);
   /// Waits for the other side's end; false when it does not come.
   bool closed(double within_s);
 
