@@ -8,23 +8,12 @@ import { mayLock, type AdminView } from '../state/admin';
 import { ago, bytes, count, duration } from '../state/words';
 import { t } from '../texts/language';
 import { day } from '../texts/numbers';
-import { Told } from '../texts/Message';
+import { NotThere } from './NotThere';
 import { StateChip } from './StateChip';
 
 export function AdminPanel() {
   const shown = useAppState().admin.value;
-  if (shown.state === 'loading')
-    return (
-      <p class="hint" role="status">
-        {t.admin.loading}
-      </p>
-    );
-  if (shown.state === 'failed')
-    return (
-      <p class="problem" role="alert">
-        <Told code={shown.error.code} detail={shown.error.detail} />
-      </p>
-    );
+  if (shown.state !== 'ready') return <NotThere wanted={shown} loading={t.admin.loading} />;
   return <Shown view={shown.value} />;
 }
 

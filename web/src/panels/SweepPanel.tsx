@@ -9,25 +9,14 @@ import { presetTitle } from '../state/dressing';
 import { cellsOf, doneOf, easesOf, rowsOf, stretchOf, verdictOf } from '../state/sweeps';
 import { duration, percent } from '../state/words';
 import { t } from '../texts/language';
-import { Told } from '../texts/Message';
+import { NotThere } from './NotThere';
 import { Remove, type PicturesProps } from './Rail';
 
 type Props = PicturesProps & { sweeps: Pick<SweepApi, 'sweepUrl'> };
 
 export function SweepPanel({ resultUrl, sweeps }: Props) {
   const shown = useAppState().sweeps.shown.value;
-  if (!shown || shown.state === 'loading')
-    return (
-      <p class="hint" role="status">
-        {t.sweep.loading}
-      </p>
-    );
-  if (shown.state === 'failed')
-    return (
-      <p class="problem" role="alert">
-        <Told code={shown.error.code} detail={shown.error.detail} />
-      </p>
-    );
+  if (shown?.state !== 'ready') return <NotThere wanted={shown} loading={t.sweep.loading} />;
   return (
     <>
       <Head sweep={shown.value} sweeps={sweeps} />
