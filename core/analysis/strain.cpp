@@ -8,10 +8,6 @@ namespace toile::analysis {
 namespace {
 
 /// Deformation gradient's columns along weft and warp of one triangle.
-struct Threads {
-  Vec3 weft, warp;
-};
-
 Threads threads_of(const std::array<Vec2, 3>& rest, const std::array<Vec3, 3>& x, Vec2 warp) {
   const Vec2 e1 = rest[1] - rest[0], e2 = rest[2] - rest[0];
   const Vec3 d1 = x[1] - x[0], d2 = x[2] - x[0];
@@ -23,15 +19,22 @@ Threads threads_of(const std::array<Vec2, 3>& rest, const std::array<Vec3, 3>& x
 
 }  // namespace
 
-GarmentStrain garment_strain(const drape::DrapeInput& input, const drape::DrapeResult& result) {
-  GarmentStrain out;
+std::vector<Threads> garment_threads(const drape::DrapeInput& input, const drape::DrapeResult& result) {
+  std::vector<Threads> out;
   const sewing::GarmentMesh& g = result.garment;
+  out.reserve(g.triangles.size());
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     const Tri& tri = g.triangles[t];
-    const Threads f =
-        threads_of({g.rest[tri[0]], g.rest[tri[1]], g.rest[tri[2]]},
-                   {result.positions[tri[0]], result.positions[tri[1]], result.positions[tri[2]]},
-                   input.pattern.panels[g.panel_of_triangle[t]].grain);
+    out.push_back(threads_of({g.rest[tri[0]], g.rest[tri[1]], g.rest[tri[2]]},
+                             {result.positions[tri[0]], result.positions[tri[1]], result.positions[tri[2]]},
+                             input.pattern.panels[g.panel_of_triangle[t]].grain));
+  }
+  return out;
+}
+
+GarmentStrain garment_strain(const drape::DrapeInput& input, const drape::DrapeResult& result) {
+  GarmentStrain out;
+  for (const Threads& f : garment_threads(input, result)) {
     const double weft = length(f.weft), warp = length(f.warp);
     out.weft.push_back(weft - 1);
     out.warp.push_back(warp - 1);

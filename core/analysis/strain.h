@@ -19,6 +19,14 @@ struct StretchFigures : StrainFigures {
   StrainFigures tension, compression;
 };
 
+/// The images of a triangle's threads: of length 1 where they are not stretched.
+struct Threads {
+  Vec3 weft, warp;
+};
+
+/// One entry a triangle.
+std::vector<Threads> garment_threads(const drape::DrapeInput& input, const drape::DrapeResult& result);
+
 /// One entry a triangle. Warp and weft: length change over length; shear: cosine of the angle between the
 /// threads.
 struct GarmentStrain {

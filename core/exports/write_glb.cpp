@@ -41,6 +41,7 @@ struct Part {
   std::vector<Vec3> positions, normals;
   std::vector<Vec2> texture_coordinates;  // empty for a body
   std::vector<Tri> triangles;
+  std::vector<analysis::ClothMap> maps{};  // of its vertices
 };
 
 /// A vertex array of the binary chunk under construction, and the JSON that describes it.
@@ -79,6 +80,12 @@ class GltfBuffer {
       append_float(bytes_, v.y);
     }
     return add_accessor(begin, kArrayBuffer, kFloat, "VEC2", values.size());
+  }
+
+  int add_numbers(const std::vector<float>& values) {
+    const std::size_t begin = bytes_.size();
+    for (const float value : values) append_float(bytes_, static_cast<double>(value));
+    return add_accessor(begin, kArrayBuffer, kFloat, "SCALAR", values.size());
   }
 
   int add_indices(const std::vector<Tri>& triangles) {
@@ -162,6 +169,8 @@ Status check_garment(const sewing::GarmentMesh& g, const GlbModel& model) {
       g.panel_of_triangle.size() != g.triangles.size()) {
     return bad_garment("the garment's arrays differ in length");
   }
+  for (const analysis::ClothMap& map : model.maps)
+    if (map.values.size() != g.rest.size()) return bad_garment("a map has not one value a vertex");
   TRY(check_panels(g, model));
   for (std::size_t v = 0; v < g.rest.size(); ++v) {
     const std::string where = "vertex " + std::to_string(v);
@@ -222,6 +231,8 @@ void append_panels(const GlbModel& model, const GlbLooks& looks, std::vector<Par
     panels[p].positions.assign(model.positions.begin() + begin, model.positions.begin() + end);
     panels[p].normals.assign(normals.begin() + begin, normals.begin() + end);
     dress(model, looks, p, std::span(g.rest).subspan(begin, end - begin), panels[p]);
+    for (const analysis::ClothMap& map : model.maps)
+      panels[p].maps.push_back({map.kind, {map.values.begin() + begin, map.values.begin() + end}});
   }
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
     const Index panel = g.panel_of_triangle[t], begin = g.first_vertex[panel];
@@ -299,6 +310,8 @@ json document(const GlbModel& model, const GlbLooks& looks, const std::vector<Pa
                        {"NORMAL", buffer.add_vectors(part.normals)}};
     if (!part.texture_coordinates.empty())
       attributes["TEXCOORD_0"] = buffer.add_texture_coordinates(part.texture_coordinates);
+    for (const analysis::ClothMap& map : part.maps)
+      attributes[std::string(analysis::trait_of(map.kind).attribute)] = buffer.add_numbers(map.values);
     const json primitive = {{"attributes", attributes},
                             {"indices", buffer.add_indices(part.triangles)},
                             {"material", part.material}};

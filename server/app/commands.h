@@ -209,6 +209,7 @@ struct RenderOptions {
   std::string source;  ///< as of a movie
   std::string out;     ///< the file
   std::string view = "three-quarter";
+  std::string map;              ///< word of what the cloth is coloured by; empty: as it looks
   std::string size;             ///< "1024x1280"
   std::string eye, target;      ///< "x,y,z", m; an own camera, empty: the view's
   std::optional<double> angle;  ///< degrees, upright, of an own camera

@@ -75,7 +75,7 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
       ->check([&options](const std::string& text) { return read_size(text, options.drape); });
   verb->footer(
       std::string(
-          "Leaves report.json, report.html (to look at), final.obj, final.glb, final.hung, drape.film "
+          "Leaves report.json, report.html (to look at), final.obj, final.glb, final.hung, maps.json, drape.film "
           "(toile movie), manifest.json (toile verify) and front, back, side and three-quarter.png.\n"
           "Ctrl-C ends the drape and keeps what there is; a second one ends at once.\n\n"
           "Examples:\n"

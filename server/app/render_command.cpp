@@ -4,6 +4,7 @@
 #include "core/json/tree.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
+#include "server/app/map_view.h"
 #include "server/app/read_film.h"
 #include "server/render/png.h"
 #include "server/render/still.h"
@@ -48,12 +49,16 @@ Result<render::Image> take(const RenderOptions& options) {
   settings.transparent = options.transparent;
   TRY(render::check_settings(settings));
   const movie::Film film = TRY(read_film(options.source));
-  const render::Scene scene = movie::scene_of(film, film.end);
+  render::Scene scene = movie::scene_of(film, film.end);
+  render::Legend legend;
+  if (!options.map.empty()) legend = TRY(colour_by_map(options.source, options.map, scene));
   TRY(render::check_scene(scene));
   const render::Camera camera =
       TRY(camera_of(options, scene, static_cast<double>(settings.width) / settings.height));
   const std::unique_ptr<render::StillRenderer> renderer = TRY(render::StillRenderer::create());
-  return renderer->render(scene, camera, settings);
+  render::Image image = TRY(renderer->render(scene, camera, settings));
+  render::draw_legend(image, legend);
+  return image;
 }
 
 void print_taken(const render::Image& image, const RenderOptions& options) {

@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
+#include "core/analysis/cloth_map.h"
 #include "server/app/exit_codes_text.h"
 #include "server/render/camera.h"
 
@@ -41,6 +43,12 @@ CLI::App* add_movie(CLI::App& app, MovieOptions& movie) {
   return verb;
 }
 
+std::vector<std::string> map_words() {
+  std::vector<std::string> words;
+  for (const analysis::MapTrait& trait : analysis::map_traits()) words.emplace_back(trait.word);
+  return words;
+}
+
 CLI::App* add_render(CLI::App& app, RenderOptions& still) {
   CLI::App* verb = app.add_subcommand("render", "Take a still of a drape, from any side and in any size");
   verb->add_option("result", still.source, "Folder that toile drape has left, its drape.film, or a trace")
@@ -49,6 +57,8 @@ CLI::App* add_render(CLI::App& app, RenderOptions& still) {
   CLI::Option* view = verb->add_option("--view", still.view, "From where; the body faces the front")
                           ->check(CLI::IsMember(render::view_words()))
                           ->capture_default_str();
+  verb->add_option("--map", still.map, "Colour the cloth by what it is measured for, with a legend")
+      ->check(CLI::IsMember(map_words()));
   verb->add_option("--size", still.size, "Pixels, 16 to 4096 each (default: 1024x1280)")->type_name("WxH");
   CLI::Option* eye =
       verb->add_option("--eye", still.eye, "Where the camera stands, m; +y is up, +z the front")
@@ -68,6 +78,7 @@ CLI::App* add_render(CLI::App& app, RenderOptions& still) {
   verb->add_flag("--json", still.json, "Print as JSON, errors as well");
   verb->footer(std::string("Examples:\n"
                            "  toile render out/skirt --view back --out back.png\n"
+                           "  toile render out/skirt --map pressure --out pressure.png\n"
                            "  toile render out/skirt --size 4096x4096 --transparent --out large.png\n"
                            "  toile render out/skirt --eye 0.5,1.1,0.9 --target 0,1,0 --out waist.png\n\n") +
                kExitCodes);

@@ -10,6 +10,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/read_file.h"
+#include "core/exports/map_file.h"
 #include "core/exports/write_glb.h"
 #include "core/exports/write_obj.h"
 #include "core/manifest/touch_log.h"
@@ -90,6 +91,8 @@ Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& re
                  : exports::write_obj(folder / "final.obj", result.positions, garment.triangles, panels));
   TRY(write_bytes(folder / "final.hung", warm::encode_hung(result.hung)));
   TRY(write_touches(result.touches, folder));
+  const std::vector<analysis::ClothMap> maps = analysis::cloth_maps(input, result);
+  TRY(write_bytes(folder / exports::kMapFile, exports::write_maps(garment, names, maps)));
   exports::GlbModel model;
   model.garment = &garment;
   model.positions = result.positions;
@@ -98,6 +101,7 @@ Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& re
   model.fabric_of_panel = input.fabric_of_panel;
   model.bodies = result.bodies;
   model.textures = &textures;
+  model.maps = maps;
   return exports::write_glb(folder / "final.glb", model);
 }
 
@@ -110,7 +114,7 @@ Status write_film(const drape::DrapeInput& input, const drape::DrapeResult& resu
 
 Status write_manifest(manifest::Manifest manifest, const drape::DrapeResult& result, const fs::path& folder,
                       bool check_data) {
-  std::vector<std::string> names{movie::kFilmFile, "final.glb", "final.hung", "final.obj"};
+  std::vector<std::string> names{movie::kFilmFile, "final.glb", "final.hung", "final.obj", exports::kMapFile};
   if (check_data) names.insert(names.end(), {"body.obj", "rest.obj", "sewn.json"});
   if (!result.touches.empty()) names.push_back(manifest::kTouchLogFile);
   std::sort(names.begin(), names.end());

@@ -22,9 +22,9 @@ class Stills;
 
 namespace toile::jobs {
 
-/// Writes final.obj, final.glb and final.hung into `folder`, and drape.log where hands were on the cloth;
-/// with `check_data` rest.obj, body.obj and sewn.json lie beside them, for programs that judge the drape.
-/// Errors: export.*.
+/// Writes final.obj, final.glb, final.hung and maps.json into `folder`, and drape.log where hands were on the
+/// cloth; with `check_data` rest.obj, body.obj and sewn.json lie beside them, for programs that judge the
+/// drape. Errors: export.*.
 Status write_models(const drape::DrapeInput& input, const drape::DrapeResult& result,
                     const image::Textures& textures, const std::filesystem::path& folder, bool check_data);
 

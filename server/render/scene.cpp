@@ -45,6 +45,8 @@ Status check_cloth(const ClothView& cloth) {
   TRY(check_triangles(cloth.triangles, count, "cloth"));
   if (!cloth.weld.empty() && cloth.weld.size() != count) return bad_length("weld");
   if (!cloth.rest.empty() && cloth.rest.size() != count) return bad_length("rest");
+  if (!cloth.colour_of_vertex.empty() && cloth.colour_of_vertex.size() != count)
+    return bad_length("colour_of_vertex");
   if (!cloth.panel_of_triangle.empty() && cloth.panel_of_triangle.size() != cloth.triangles.size()) {
     return bad_length("panel_of_triangle");
   }

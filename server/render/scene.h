@@ -27,6 +27,7 @@ struct ClothView {
   std::span<const Vec2> rest;                 ///< m, one per vertex, carries weave and pictures; may be empty
   const image::Textures* textures = nullptr;  ///< pictures on panels; may be null
   std::vector<ClothLook> look_of_panel{};     ///< as colours; past its end the default
+  std::vector<LinearRgb> colour_of_vertex{};  ///< in place of panels' colours; empty: those
 };
 
 inline constexpr LinearRgb kClothColour{0.30, 0.40, 0.55};

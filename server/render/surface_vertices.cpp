@@ -82,7 +82,9 @@ class SurfaceMaker {
     ClothVertex out{};
     set(out.position, cloth_.positions[v]);
     set(out.normal, normals_[v]);
-    const LinearRgb colour = colour_of(cloth_, panel);
+    const LinearRgb colour = cloth_.colour_of_vertex.empty()
+                                 ? colour_of(cloth_, panel)
+                                 : cloth_.colour_of_vertex[static_cast<std::size_t>(v)];
     set(out.colour, {colour[0], colour[1], colour[2]});
     const Vec2 rest = cloth_.rest.empty() ? Vec2{} : cloth_.rest[v];
     out.rest[0] = static_cast<float>(rest.x);

@@ -59,7 +59,7 @@ TEST_F(VerifyCommand, ASecondDrapeHasTheSameBytes) {
   EXPECT_TRUE(*tree->find("same")->boolean());
   EXPECT_TRUE(*tree->find("same_program")->boolean());
   EXPECT_EQ(tree->find("inputs")->find("same")->array()->size(), 2u) << "the document and the body";
-  EXPECT_EQ(tree->find("drape")->find("files")->find("same")->array()->size(), 7u);
+  EXPECT_EQ(tree->find("drape")->find("files")->find("same")->array()->size(), 8u);
   EXPECT_EQ(*tree->find("drape")->find("farthest_mm")->number(), 0);
 }
 
@@ -181,7 +181,7 @@ TEST_F(VerifyCommand, AJobOfTheServiceHasTheBytesOfTheCommandLine) {
   EXPECT_EQ(unnamed.code, 2) << "a store does not tell where a document stood";
   const Ran run = run_toile({"verify", folder / "remote", "--project", folder / "project.json"});
   EXPECT_EQ(run.code, 0) << run.out << run.err;
-  EXPECT_TRUE(has(run.out, "7 files again in the same bytes")) << run.out;
+  EXPECT_TRUE(has(run.out, "8 files again in the same bytes")) << run.out;
 }
 
 }  // namespace

@@ -125,6 +125,18 @@ TEST_F(WriteGlb, KeepsEveryAccessorInsideItsViewAndEveryViewInsideTheBuffer) {
   }
 }
 
+TEST_F(WriteGlb, HasEachMapAsAnAttributeOfThePiecesOwnVertices) {
+  exports::GlbModel model = model_of(garment_, bodies_);
+  const std::vector<analysis::ClothMap> maps{{analysis::MapKind::kPressure, {0, 1, 2, 3, 4, 5, 6, 7}}};
+  model.maps = maps;
+  const Glb glb = parse(*exports::glb_bytes(model));
+  EXPECT_EQ(floats(glb, primitive(glb, 1)["attributes"]["_PRESSURE"]), (std::vector<float>{4, 5, 6, 7}));
+  EXPECT_FALSE(primitive(glb, 2)["attributes"].contains("_PRESSURE")) << "a body has none";
+  const std::vector<analysis::ClothMap> shorter{{analysis::MapKind::kPressure, {0, 1}}};
+  model.maps = shorter;
+  EXPECT_EQ(exports::glb_bytes(model).error().code, "export.bad_garment");
+}
+
 TEST_F(WriteGlb, WritesPositionsAsFloatsWithTheirExactBounds) {
   const Glb glb = parse(*exports::glb_bytes(model_of(garment_)));
   const int accessor = primitive(glb, 1)["attributes"]["POSITION"];

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/base/write_file.h"
+#include "core/exports/map_file.h"
 #include "core/exports/write_report.h"
 #include "core/fabric/schema.h"
 #include "core/manifest/manifest.h"
@@ -23,6 +24,7 @@ int main(int count, char** arguments) {
       {"fabric.schema.json", toile::fabric::fabric_schema()},
       {"report.schema.json", toile::exports::report_schema()},
       {"manifest.schema.json", toile::manifest::manifest_schema()},
+      {"maps.schema.json", toile::exports::map_schema()},
       {"drape_log.schema.json", toile::manifest::touch_log_schema()},
   };
   for (const auto& [name, schema] : files) {

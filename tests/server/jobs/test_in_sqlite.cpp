@@ -65,7 +65,7 @@ TEST_F(JobsInSqlite, ADrapeAndItsResultsAreThereAfterARestart) {
   open();
   const store::JobRow job = store_->job(kOwner, id).value();
   EXPECT_EQ(job.state, store::JobState::kSucceeded) << job.reason;
-  EXPECT_EQ(job.results.size(), 14u);
+  EXPECT_EQ(job.results.size(), 15u);
   for (const auto& [name, file] : job.results) {
     EXPECT_EQ(static_cast<std::int64_t>(store_->result_bytes(kOwner, id, name).value().size()), file.bytes);
   }

@@ -107,7 +107,7 @@ TEST_P(Leases, GiveTheSameBytesAsADrapeAloneAndEndWithIt) {
   EXPECT_EQ(hash_in(id), hash_of_alone(id));
   EXPECT_EQ(row(id).lease.number, 1);
   EXPECT_EQ(row(id).lease.holder, "");
-  EXPECT_EQ(row(id).results.size(), 14u);
+  EXPECT_EQ(row(id).results.size(), 15u);
   for (const auto& [name, file] : row(id).results) {
     EXPECT_TRUE(server->store->result_bytes(kOwner, id, name).ok()) << name;
   }

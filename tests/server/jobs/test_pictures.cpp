@@ -41,7 +41,7 @@ TEST_F(JobsInTheirPictures, ArePausedAndResumedThere) {
   ASSERT_TRUE(service->resume(kOwner, id).ok());
   ASSERT_TRUE(publisher.wait_for_end(id));
   EXPECT_EQ(row(id).state, store::JobState::kSucceeded);
-  EXPECT_EQ(row(id).results.size(), 14u);
+  EXPECT_EQ(row(id).results.size(), 15u);
   EXPECT_EQ(publisher.log(id).topologies.size(), 1u) << "nothing is draped again";
 }
 
@@ -49,7 +49,7 @@ TEST_F(JobsInTheirPictures, AreBroughtToTheirEndByAStop) {
   const std::string id = drawing();
   service->stop();
   EXPECT_EQ(row(id).state, store::JobState::kSucceeded);
-  EXPECT_EQ(row(id).results.size(), 14u);
+  EXPECT_EQ(row(id).results.size(), 15u);
 }
 
 TEST_F(JobsInTheirPictures, AreKeptWithoutThemWhenTheyCannotBeDrawn) {

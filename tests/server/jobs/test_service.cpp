@@ -46,18 +46,18 @@ TEST_F(Jobs, ALoneDrapeLeavesItsReportModelsCheckDataAndPictures) {
   EXPECT_GE(job.ended_ms, job.started_ms);
   for (const char* name : {"report.json", "final.glb", "final.hung", "drape.film", "final.obj", "rest.obj",
                            "body.obj", "sewn.json", "manifest.json", "front.png", "back.png", "side.png",
-                           "three-quarter.png", "thumbnail.png"}) {
+                           "three-quarter.png", "thumbnail.png", "maps.json"}) {
     ASSERT_TRUE(job.results.contains(name)) << name;
     const std::string bytes = store.result_bytes(kOwner, id, name).value();
     EXPECT_EQ(static_cast<std::int64_t>(bytes.size()), job.results.at(name).bytes) << name;
     EXPECT_FALSE(bytes.empty()) << name;
   }
-  EXPECT_EQ(job.results.size(), 14u);
+  EXPECT_EQ(job.results.size(), 15u);
   EXPECT_EQ(store.result_bytes(kOwner, id, "report.json").value(), job.report);
   const auto manifest = manifest::parse_manifest(store.result_bytes(kOwner, id, "manifest.json").value());
   ASSERT_TRUE(manifest);
   EXPECT_NE(job.report.find(manifest->positions), std::string::npos) << "the report tells the same hash";
-  EXPECT_EQ(manifest->results.size(), 7u);
+  EXPECT_EQ(manifest->results.size(), 8u);
   for (const manifest::FileMark& file : manifest->results)
     EXPECT_EQ(file.hash, job.results.at(file.name).hash);
   EXPECT_EQ(manifest->document.hash,

@@ -131,6 +131,7 @@ const kKnown: [name: string, file: keyof Texts['report']['files']][] = [
   ['body.obj', 'body'],
   ['report.json', 'report'],
   ['manifest.json', 'manifest'],
+  ['maps.json', 'maps'],
   ['drape.log', 'hands'],
   ['sewn.json', 'sewn'],
 ];

@@ -144,6 +144,10 @@ export const report: Texts['report'] = {
       title: 'Protokoll der Hände',
       hint: 'Was Hände wann am Stoff taten; damit wird er wieder genauso drapiert',
     },
+    maps: {
+      title: 'Messwerte',
+      hint: 'Dehnung, Scherung, Weite, Krümmung und Druck an jedem Netzpunkt',
+    },
     sewn: {
       title: 'Genähte Paare',
       hint: 'Welche Netzpunkte zusammengenäht sind',

@@ -143,6 +143,10 @@ export const report = {
       title: 'Log of hands',
       hint: 'What hands did to the cloth, and when; with it the drape comes out the same again',
     },
+    maps: {
+      title: 'Maps',
+      hint: 'Stretch, shear, ease, curvature and pressure at each vertex',
+    },
     sewn: {
       title: 'Sewn pairs',
       hint: 'Which vertices are sewn together',
