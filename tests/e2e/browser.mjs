@@ -1,13 +1,16 @@
 // Debian's Chromium, without a screen and without a graphics card, and what the tests ask of a page.
 
-import { mkdirSync } from 'node:fs';
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after } from 'node:test';
 import { root } from './service.mjs';
 import { kPatience } from './steps.mjs';
 
-const { chromium } = createRequire(join(root, 'web/package.json'))('playwright-core');
+const packages = createRequire(join(root, 'web/package.json'));
+const { chromium } = packages('playwright-core');
+const axe = readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
 
 const flags = [
   '--headless=new',
@@ -66,6 +69,22 @@ export function closeAfter(opened, service) {
 }
 
 export const shoot = (page, name) => page.screenshot({ path: join(pictures, `${name}.png`) });
+
+/** That nothing on the page keeps people out, in the light and in the dark: axe finds nothing serious. */
+export async function assertOpenToAll(page) {
+  // Not as a <script>: the page's own policy lets none in.
+  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(axe);
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    const found = await page.evaluate(async () => {
+      const { violations } = await window.axe.run(document, { resultTypes: ['violations'] });
+      return violations
+        .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+        .map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(' ')).join('; ')}`);
+    });
+    assert.deepEqual(found, [], colorScheme);
+  }
+}
 
 /** What all pages show, for whoever asks why a step failed. */
 export async function shootAll(browser) {

@@ -1,6 +1,6 @@
 // The real server as a child of a test: started on a free port, killed and started again on the same port and data.
 
-import { spawn } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -10,9 +10,14 @@ export const root = fileURLToPath(new URL('../..', import.meta.url));
 const program = process.env.TOILE_PROGRAM ?? join(root, 'build/release/toile');
 const web = process.env.TOILE_WEB ?? join(root, 'web/dist');
 
+/** Of an account that a test has made. */
+export const passwordOf = (name) => `${name}, ${name} and a needle`;
+
 export class Service {
   data = mkdtempSync(join(tmpdir(), 'toile-e2e-'));
   port = 0;
+  /** Whose requests those of the test are, where there are accounts. */
+  token = '';
   #child = null;
   #sample;
 
@@ -23,6 +28,18 @@ export class Service {
 
   get url() {
     return `http://127.0.0.1:${this.port}`;
+  }
+
+  /** Runs the program's own verbs over the store, and gives what they print. */
+  run(words, input = '') {
+    return execFileSync(program, [...words, '--data', this.data], { input, encoding: 'utf8' });
+  }
+
+  /** Makes an account with a password and gives a token of it; before the start, or it comes too late. */
+  addAccount(name, { flags = [], scopes = 'read,submit' } = {}) {
+    this.run(['account', 'add', name, ...flags]);
+    this.run(['account', 'password', name], `${passwordOf(name)}\n`);
+    return this.run(['token', 'make', name, '--scopes', scopes]).trim();
   }
 
   /** Resolves once it says that it answers. */
@@ -77,7 +94,8 @@ export class Service {
   }
 
   async get(path, init = {}) {
-    const response = await fetch(`${this.url}/api/v1${path}`, init);
+    const headers = { ...init.headers, ...(this.token && { Authorization: `Bearer ${this.token}` }) };
+    const response = await fetch(`${this.url}/api/v1${path}`, { ...init, headers });
     if (!response.ok) throw new Error(`${path}: ${response.status} ${await response.text()}`);
     return response;
   }

@@ -235,7 +235,8 @@ effect(() => {
   return () => clearTimeout(wait);
 });
 effect(() => {
-  const shown = state.atHome.value ? '' : (state.job.value?.name ?? state.project.value?.name);
+  const named = state.job.value?.name ?? state.project.value?.name;
+  const shown = state.route.value.name === 'admin' ? t.admin.open : state.atHome.value ? '' : named;
   document.title = shown ? `${shown} · Toile` : 'Toile';
 });
 refresh();

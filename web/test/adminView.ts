@@ -9,7 +9,7 @@ export const loadOf = (more: Partial<AdminLoad> = {}): AdminLoad => ({
   jobs_running: 2,
   jobs_paused: 0,
   viewers: 4,
-  disk_bytes: 12_000_000,
+  disk_bytes: 500_000_000_000,
   disk_free_bytes: 41_000_000_000,
   store_failures: {},
   ...more,

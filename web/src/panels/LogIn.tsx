@@ -19,6 +19,7 @@ export function LogIn({ doors, entered }: { doors: Doors; entered: () => void })
 function Dialog({ doors, entered }: { doors: Doors; entered: () => void }) {
   // Nobody leaves it but by saying who it is.
   const { ref, onCancel } = useModal(() => undefined, () => false);
+  const wasIn = useAppState().session.value !== null;
   const [byToken, setByToken] = useState(false);
   const [busy, setBusy] = useState(false);
   const [error, setError] = useState<ApiError | null>(null);
@@ -47,6 +48,7 @@ function Dialog({ doors, entered }: { doors: Doors; entered: () => void }) {
       </header>
       <form onSubmit={(event) => void enter(event)}>
         <div class="sheet-body">
+          {wasIn && <p class="hint">{t.frame.loggedOut}</p>}
           {byToken ? <TokenField /> : <PasswordFields />}
           {error && (
             <p class="problem" role="alert">

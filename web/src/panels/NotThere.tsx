@@ -1,6 +1,7 @@
 // What is seen in the place of something that the service has not sent: that it is on its way, or why it does not come.
 
 import type { Loaded } from '../state/AppState';
+import { useAppState } from '../state/context';
 import { Told } from '../texts/Message';
 
 interface Props {
@@ -10,6 +11,8 @@ interface Props {
 }
 
 export function NotThere({ wanted, loading }: Props) {
+  // Who has to log in first is asked to by a dialog, and needs no second word of it here.
+  if (useAppState().shut.value) return null;
   if (wanted?.state === 'failed')
     return (
       <p class="problem" role="alert">

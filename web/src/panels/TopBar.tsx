@@ -30,8 +30,8 @@ export function TopBar() {
       <div class="crumbs">{!home && <Crumbs />}</div>
       {!home && <Actions />}
       {mayRun(state.session.value) && (
-        <a class="plain" href="#/admin" title={t.admin.openTip}>
-          <Icon name="sliders" /> <span class="label">{t.admin.open}</span>
+        <a class="plain" href="#/admin" title={t.admin.openTip} aria-current={state.route.value.name === 'admin' ? 'page' : undefined}>
+          <Icon name="gauge" /> <span class="label">{t.admin.open}</span>
         </a>
       )}
       {state.session.value?.accounts && <LogOut name={state.session.value.name ?? ''} />}

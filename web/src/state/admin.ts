@@ -13,6 +13,12 @@ export interface AdminView {
 export const mayRun = (session: Session | null): boolean =>
   session !== null && session.accounts && session.scopes.includes('admin');
 
+/** Whether it is known to be somebody else's to see. */
+export const isClosedTo = (session: Session | null): boolean => session !== null && session.accounts && !mayRun(session);
+
+/** What all of them keep together, bytes. */
+export const keptBy = (accounts: readonly AdminAccount[]): number => accounts.reduce((sum, { bytes }) => sum + bytes, 0);
+
 /** Nobody locks themselves out. */
 export const mayLock = (account: AdminAccount, session: Session | null): boolean =>
   mayRun(session) && account.name !== session?.name;

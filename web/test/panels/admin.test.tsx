@@ -33,15 +33,17 @@ describe('the service for whoever runs it', () => {
     page.show(<AdminPanel />);
     const load = screen.getByRole('region', { name: 'Load' });
     expect(within(load).getByText('Drapes under way').nextSibling!.textContent).toBe('2');
-    expect(within(load).getByText('Free on disk').nextSibling!.textContent).toBe('41.0 GB');
+    expect(within(load).getByText('Free on disk').nextSibling!.textContent).toBe('41.0 GB of 500.0 GB');
+    expect(within(load).getByText('Kept by all').nextSibling!.textContent).toBe('2.5 GB');
     expect(within(load).queryByRole('alert')).toBeNull();
     expect(table('Accounts').map((row) => row.slice(0, 5))).toEqual([
-      ['anna may do all', '2.5 GB', '12', '1,500', '1'],
+      ['anna administrator', '2.5 GB', '12', '1,500', '1'],
       ['ben locked out', '0 B', '0', '0', '0'],
     ]);
     expect(table('Drapes that have not ended')).toEqual([
-      ['Shirt', 'ben', 'Running', 'when there is time', '1 min 15 s', '5 min ago', 'worker-2'],
+      ['Shirt', 'ben', 'Running', 'when there is time', '1 min 15 s', '5 min ago'],
     ]);
+    expect(within(screen.getByRole('row', { name: /^ben/ })).getAllByRole('cell')[1]!.dataset.head).toBe('Projects');
   });
 
   it('locks others out and lets them in again, and nobody themselves', () => {
@@ -52,6 +54,7 @@ describe('the service for whoever runs it', () => {
     });
     page.show(<AdminPanel />);
     expect(screen.getByText('Nothing is draped, and nothing waits.')).toBeTruthy();
+    expect(table('Accounts')[0]!.at(-1)).toBe('this is you');
     expect(screen.queryByRole('button', { name: 'Lock out: anna' })).toBeNull();
     click(screen.getByRole('button', { name: 'Let in again: ben' }));
     click(screen.getByRole('button', { name: 'Lock out: cleo' }));
@@ -68,6 +71,29 @@ describe('the service for whoever runs it', () => {
     expect(screen.getByRole('alert').textContent).toBe('The service takes no new work at the moment.');
     expect(screen.getByText(/store\.full \(3\)/)).toBeTruthy();
     expect(table('Accounts')[0]![0]).toBe('the one user ');
+  });
+
+  it('says who works on each drape where several programs do', () => {
+    const jobs = [adminJobOf(), adminJobOf({ id: 'j_2', holder: 'worker-3' }), adminJobOf({ id: 'j_3', holder: '' })];
+    page.change((state) => (state.admin.value = ready({ load: loadOf(), accounts: [], jobs })));
+    page.show(<AdminPanel />);
+    expect(table('Drapes that have not ended').map((row) => row.at(-1))).toEqual(['worker-2', 'worker-3', '–']);
+  });
+
+  it('says kindly to others that it is not theirs, and nothing to who has to log in', () => {
+    const error = new ApiError(403, 'auth.scope', 'this wants the scope admin');
+    page.change((state) => {
+      state.session.value = sessionOf(['read', 'submit']);
+      state.admin.value = { state: 'failed', error };
+    });
+    page.show(<AdminPanel />);
+    expect(screen.getByText(/anna is none of them/)).toBeTruthy();
+    expect(screen.queryByRole('alert')).toBeNull();
+    page.change((state) => {
+      state.session.value = null;
+      state.shut.value = true;
+    });
+    expect(screen.queryByRole('alert')).toBeNull();
   });
 
   it('waits for it, and says who may not see it', () => {

@@ -63,6 +63,14 @@ describe('the login', () => {
     await waitFor(() => expect(entered).toHaveBeenCalledOnce());
   });
 
+  it('tells who was in that they are out, and nobody else', () => {
+    page.change((state) => (state.shut.value = true));
+    show();
+    expect(screen.queryByText(/You are logged out/)).toBeNull();
+    page.change((state) => (state.session.value = { accounts: true, name: 'anna', scopes: ['read'], expires_ms: 0 }));
+    expect(screen.getByText(/You are logged out/)).toBeTruthy();
+  });
+
   it('cannot be waved away', () => {
     page.change((state) => (state.shut.value = true));
     show();

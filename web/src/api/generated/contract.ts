@@ -1856,7 +1856,9 @@ export interface components {
             jobs_running: number;
             jobs_paused: number;
             viewers: number;
+            /** @description Of the disk that the store lies on */
             disk_bytes: number;
+            /** @description Of that, what is free for the service */
             disk_free_bytes: number;
             /** @description Since the start, by code */
             store_failures: {

@@ -78,6 +78,7 @@ export const frame: Texts['frame'] = {
   earlier: (n) => `${n} frühere ohne Ergebnis`,
   logIn: 'Anmelden',
   byPassword: 'Mit Name und Passwort',
+  loggedOut: 'Sie sind abgemeldet. Nichts ist verloren; nach dem Anmelden geht es weiter.',
   byToken: 'Mit Token',
   password: 'Passwort',
   token: 'Token',

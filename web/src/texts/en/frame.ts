@@ -77,6 +77,7 @@ export const frame = {
   earlier: (n: number) => `${n} earlier without a result`,
   logIn: 'Log in',
   byPassword: 'By name and password',
+  loggedOut: 'You are logged out. Nothing is lost; log in to go on.',
   byToken: 'By a token',
   password: 'Password',
   token: 'Token',
