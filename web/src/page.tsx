@@ -218,7 +218,7 @@ effect(() => {
 });
 effect(() => {
   const id = state.projectId.value;
-  if (id && revision.value > 0) untracked(() => void commands.pattern.loadHistory(id));
+  if (id && revision.value > 0) untracked(() => void commands.edits.loadHistory(id));
 });
 effect(() => {
   void state.pieces.value;

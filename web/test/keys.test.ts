@@ -7,12 +7,11 @@ import type { ToolFacts } from '../src/state/editing';
 /** A window that hands its key listener out. */
 function begin() {
   const called: string[] = [];
+  const edits = { undo: () => called.push('undo'), redo: () => called.push('redo') };
+  const seams = { finishSide: () => called.push('finish') };
   const pattern = {
-    undo: () => called.push('undo'),
-    redo: () => called.push('redo'),
     takeTool: (tool: ToolFacts) => called.push(tool.id),
     remove: () => called.push('remove'),
-    finishSide: () => called.push('finish'),
     cancel: () => called.push('cancel') > 0,
   };
   let press: (event: KeyboardEvent) => void = () => undefined;
@@ -23,7 +22,7 @@ function begin() {
   const state = new AppState();
   state.route.value = { name: 'project', id: 'p_1' };
   const stop = listenForKeys(
-    { pattern } as unknown as Commands,
+    { edits, pattern, seams } as unknown as Commands,
     state,
     target as unknown as Window & typeof globalThis,
   );

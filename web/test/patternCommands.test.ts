@@ -2,7 +2,9 @@ import { describe, expect, it } from 'vitest';
 import type { Api } from '../src/api/Api';
 import { ApiError } from '../src/api/http';
 import type { Edit } from '../src/api/types';
+import { EditQueue } from '../src/commands/EditQueue';
 import { PatternCommands } from '../src/commands/PatternCommands';
+import { SeamCommands } from '../src/commands/SeamCommands';
 import { AppState, ready, valueOf } from '../src/state/AppState';
 import { sew } from '../src/tools/sew';
 import { fakeApi, projectOf, seamOf, squareOf } from './fakes';
@@ -22,15 +24,16 @@ function begin(more: Partial<Api> = {}) {
   state.route.value = { name: 'project', id: 'p_1' };
   const pieces = [squareOf('a', 0, 0, 100), squareOf('b', 200, 0, 100)];
   state.pieces.value = ready({ pieces, seams: [seamOf('s', ['a', 'e1'], ['b', 'e3'])] });
-  return { state, sent, commands: new PatternCommands(state, api, () => undefined) };
+  const edits = new EditQueue(state, api, () => undefined);
+  return { state, sent, edits, commands: new PatternCommands(state, api, edits), seams: new SeamCommands(state, api, edits) };
 }
 
 const move: Edit = { edit: 'move_point', piece: 'a', edge: 'e0', point: 0, to: [1, 2] };
 
 describe('an edit', () => {
   it('names the revision that it was made for, also when they follow each other at once', async () => {
-    const { commands, sent, state } = begin();
-    await Promise.all([commands.edit(move), commands.edit(move)]);
+    const { edits, sent, state } = begin();
+    await Promise.all([edits.send(move), edits.send(move)]);
     expect(sent.map(({ revision }) => revision)).toEqual([1, 2]);
     expect(state.project.value?.revision).toBe(3);
     expect(state.editing.busy.value).toBe(false);
@@ -39,20 +42,20 @@ describe('an edit', () => {
   it('that is refused says why and where, until the next one', async () => {
     const refuse = new ApiError(422, 'pattern.self_crossing', 'the outline crosses itself', '/edits/0: piece a');
     const answers = [() => Promise.reject(refuse), () => Promise.resolve(projectOf({ revision: 2 }))];
-    const { commands, state } = begin({ edit: () => answers.shift()!() });
-    await commands.edit(move);
+    const { edits, state } = begin({ edit: () => answers.shift()!() });
+    await edits.send(move);
     expect(state.editing.problem.value).toBe(refuse);
     expect(state.project.value?.revision).toBe(1);
-    await commands.edit(move);
+    await edits.send(move);
     expect(state.editing.problem.value).toBeNull();
   });
 
   it('that comes too late takes the newest', async () => {
-    const { commands, state } = begin({
+    const { edits, state } = begin({
       edit: () => Promise.reject(new ApiError(412, 'store.conflict', 'changed since')),
       project: async () => projectOf({ revision: 7 }),
     });
-    await commands.edit(move);
+    await edits.send(move);
     expect(state.project.value?.revision).toBe(7);
     expect(state.editing.problem.value?.detail).toMatch(/Somebody else/);
   });
@@ -83,15 +86,15 @@ describe('deleting', () => {
 
 describe('sewing', () => {
   it('goes from side A to side B to the seam with Enter', async () => {
-    const { commands, sent, state } = begin();
+    const { commands, seams, sent, state } = begin();
     commands.takeTool(sew);
-    await commands.finishSide();
-    commands.sewEdge('a', 'e0');
-    await commands.finishSide();
-    commands.sewEdge('b', 'e0');
-    commands.sewEdge('b', 'e1');
-    commands.turnDraft();
-    await commands.finishSide();
+    await seams.finishSide();
+    seams.sewEdge('a', 'e0');
+    await seams.finishSide();
+    seams.sewEdge('b', 'e0');
+    seams.sewEdge('b', 'e1');
+    seams.turnDraft();
+    await seams.finishSide();
     expect(sent[0]!.edits).toEqual([
       {
         edit: 'add_seam',
@@ -109,21 +112,21 @@ describe('sewing', () => {
   });
 
   it('may take a part of an edge', async () => {
-    const { commands, sent } = begin();
+    const { commands, seams, sent } = begin();
     commands.takeTool(sew);
-    commands.sewEdge('a', 'e0');
-    commands.cutDraft('a', 0, 0.25, 0.5);
-    commands.cutDraft('a', 0, 0.7, 0.5); // no part
-    await commands.finishSide();
-    commands.sewEdge('b', 'e0');
-    await commands.finishSide();
+    seams.sewEdge('a', 'e0');
+    seams.cutDraft('a', 0, 0.25, 0.5);
+    seams.cutDraft('a', 0, 0.7, 0.5); // no part
+    await seams.finishSide();
+    seams.sewEdge('b', 'e0');
+    await seams.finishSide();
     expect(sent[0]!.edits[0]).toMatchObject({ a: [{ piece: 'a', edge: 'e0', from: 0.25, to: 0.5 }] });
   });
 
   it('is put down by Escape, from the inside out', () => {
-    const { commands, state } = begin();
+    const { commands, seams, state } = begin();
     commands.takeTool(sew);
-    commands.sewEdge('a', 'e0');
+    seams.sewEdge('a', 'e0');
     expect(commands.cancel()).toBe(true);
     expect(state.editing.draft.value.a).toEqual([]);
     expect(state.editing.tool.value).toBe('sew');
@@ -134,12 +137,12 @@ describe('sewing', () => {
 
   it('takes the ticked proposals as one step, the sure ones being ticked', async () => {
     const of = (id: string, confidence: number) => ({ ...seamOf(id, ['a', 'e0'], ['b', 'e2']), confidence, to_wear: confidence >= 0.8 });
-    const { commands, sent, state } = begin({ proposals: async () => [of('seam0', 0.93), of('seam1', 0.4)] });
-    await commands.propose();
+    const { seams, sent, state } = begin({ proposals: async () => [of('seam0', 0.93), of('seam1', 0.4)] });
+    await seams.propose();
     expect([...state.editing.chosen.value]).toEqual(['seam0']);
-    commands.choose('seam1', true);
-    commands.choose('seam0', false);
-    await commands.acceptProposals();
+    seams.choose('seam1', true);
+    seams.choose('seam0', false);
+    await seams.acceptProposals();
     expect(sent[0]!.edits).toMatchObject([{ edit: 'add_seam', id: 'seam1' }]);
     expect(sent[0]!.edits[0]).not.toHaveProperty('confidence');
   });

@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import type { Api } from '../src/api/Api';
 import type { Edit, Point } from '../src/api/types';
+import { EditQueue } from '../src/commands/EditQueue';
 import { PatternCommands } from '../src/commands/PatternCommands';
+import { SeamCommands } from '../src/commands/SeamCommands';
 import { RangeCommands, type PlaneSpot } from '../src/commands/RangeCommands';
 import { AppState, ready } from '../src/state/AppState';
 import { draftShown } from '../src/state/editing';
@@ -107,9 +109,10 @@ function begin(more: Partial<Api> = {}) {
   state.route.value = { name: 'project', id: 'p_1' };
   state.pieces.value = ready({ pieces, seams: [] });
   state.editing.offsets.value = around.offsets;
-  const patterns = new PatternCommands(state, api, () => undefined);
+  const edits = new EditQueue(state, api, () => undefined);
+  const patterns = new PatternCommands(state, api, edits);
   patterns.takeTool(range);
-  return { state, sent, patterns, ranges: new RangeCommands(state) };
+  return { state, sent, patterns, seams: new SeamCommands(state, api, edits), ranges: new RangeCommands(state) };
 }
 
 const spot = (x: number, y: number, reach = 0): PlaneSpot => ({ at: [x, y], catches: 10, reach });
@@ -129,10 +132,10 @@ describe('ranges that are sewn', () => {
       [on(200, 20), on(200, 70), false], // upwards as on a, against b's outline
       [on(200, 70), on(200, 20), true],
     ] as const) {
-      const { ranges, patterns, sent } = begin();
+      const { ranges, seams, sent } = begin();
       draw(ranges, on(100, 20), on(100, 70));
       draw(ranges, from, to);
-      await patterns.finishSide();
+      await seams.finishSide();
       const [seam] = sent[0]!;
       if (seam?.edit !== 'add_seam') throw new Error('no seam');
       expect([...seam.a, ...seam.b].some((use) => use.reversed)).toBe(false);
@@ -169,14 +172,14 @@ describe('ranges that are sewn', () => {
   });
 
   it('begin anew on another piece, and are given up from the inside out', () => {
-    const { ranges, patterns, state } = begin();
+    const { patterns, ranges, seams, state } = begin();
     draw(ranges, on(100, 20), on(100, 30));
     ranges.press(spot(100, 50), false);
     ranges.press(spot(200, 50), false);
     expect(state.editing.range.value?.start.piece).toBe('b');
     expect(patterns.cancel()).toBe(true);
     expect([state.editing.range.value, state.editing.draft.value.a.length]).toEqual([null, 1]);
-    patterns.leaveOut('a', 0);
+    seams.leaveOut('a', 0);
     expect(state.editing.draft.value.a).toEqual([]);
     ranges.point(spot(100, 50));
     ranges.point(null);

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Api } from '../src/api/Api';
 import type { Edit, Texture } from '../src/api/types';
 import { Commands } from '../src/commands/Commands';
-import { PatternCommands } from '../src/commands/PatternCommands';
+import { EditQueue } from '../src/commands/EditQueue';
 import { TextureCommands } from '../src/commands/TextureCommands';
 import { byMaterial } from '../src/scene/surface';
 import { AppState, ready } from '../src/state/AppState';
@@ -108,12 +108,12 @@ function begin(more: Partial<Api> = {}) {
   state.jobs.value = ready([]);
   state.route.value = { name: 'project', id: 'p_1' };
   state.pieces.value = ready({ pieces: [squareOf('a', 0, 0, 100), squareOf('b', 200, 0, 100)], seams: [] });
-  const pattern = new PatternCommands(state, api, () => undefined);
+  const edits = new EditQueue(state, api, () => undefined);
   const load = async (url: string) => {
     loaded.push(url);
     return { ...picture, url };
   };
-  const textures = new TextureCommands(state, api, (ask) => pattern.change(ask), load);
+  const textures = new TextureCommands(state, api, (ask) => edits.change(ask), load);
   return { state, api, sent, loaded, textures };
 }
 

@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { ApiError } from '../src/api/http';
 import type { Version, VersionApi } from '../src/api/versions';
-import { PatternCommands } from '../src/commands/PatternCommands';
+import { EditQueue } from '../src/commands/EditQueue';
 import { VersionCommands } from '../src/commands/VersionCommands';
 import { AppState, ready } from '../src/state/AppState';
 import { madeOf, versionOf } from '../src/state/versions';
@@ -17,8 +17,8 @@ function begin(more: Partial<VersionApi> = {}) {
   state.projects.value = ready([projectOf({ revision: 3 })]);
   state.jobs.value = ready([]);
   state.route.value = { name: 'project', id: 'p_1' };
-  const pattern = new PatternCommands(state, api, () => undefined);
-  const commands = new VersionCommands(state, api, (ask) => pattern.change(ask));
+  const edits = new EditQueue(state, api, () => undefined);
+  const commands = new VersionCommands(state, api, (ask) => edits.change(ask));
   return { state, commands };
 }
 

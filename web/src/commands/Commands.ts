@@ -10,12 +10,14 @@ import type { Fix } from '../state/outcome';
 import { formatRoute, type Route } from '../state/routes';
 import { AdminCommands } from './AdminCommands';
 import { DressingCommands } from './DressingCommands';
+import { EditQueue } from './EditQueue';
 import type { ImportCommands } from './ImportCommands';
 import { IntakeCommands } from './IntakeCommands';
 import { LiveCommands } from './LiveCommands';
 import { asApiError, notify, notifyError } from './notices';
 import { PatternCommands } from './PatternCommands';
 import { RangeCommands } from './RangeCommands';
+import { SeamCommands } from './SeamCommands';
 import { SweepCommands } from './SweepCommands';
 import { TextureCommands } from './TextureCommands';
 import { TourCommands } from './TourCommands';
@@ -37,7 +39,9 @@ export interface Surroundings {
 }
 
 export class Commands {
+  readonly edits: EditQueue;
   readonly pattern: PatternCommands;
+  readonly seams: SeamCommands;
   readonly ranges: RangeCommands;
   readonly intake: IntakeCommands;
   readonly imports: ImportCommands;
@@ -58,12 +62,14 @@ export class Commands {
     private readonly watch_: (jobId: string) => void,
     dressing: DressingApi = makeDressingApi(),
   ) {
-    this.pattern = new PatternCommands(state_, api_, refresh_);
+    this.edits = new EditQueue(state_, api_, refresh_);
+    this.pattern = new PatternCommands(state_, api_, this.edits);
+    this.seams = new SeamCommands(state_, api_, this.edits);
     this.ranges = new RangeCommands(state_);
-    this.dressing = new DressingCommands(state_, dressing, (ask) => this.pattern.change(ask));
+    this.dressing = new DressingCommands(state_, dressing, (ask) => this.edits.change(ask));
     this.sweeps = new SweepCommands(state_, api_, (route) => this.open(route), () => around_.newKey(), refresh_);
-    this.textures = new TextureCommands(state_, api_, (ask) => this.pattern.change(ask));
-    this.versions = new VersionCommands(state_, api_, (ask) => this.pattern.change(ask));
+    this.textures = new TextureCommands(state_, api_, (ask) => this.edits.change(ask));
+    this.versions = new VersionCommands(state_, api_, (ask) => this.edits.change(ask));
     this.admin = new AdminCommands(state_, api_);
     this.tours = new TourCommands(state_);
     this.live = new LiveCommands(state_, (word) => around_.say(word));
@@ -201,8 +207,8 @@ export class Commands {
     const before = project.value?.revision;
     if (fix.kind === 'drape') return this.startDrape();
     if (this.ledTo(fix)) return;
-    if (fix.kind === 'reverse') await this.pattern.edit({ edit: 'reverse_seam', seam: fix.seam });
-    else if (fix.kind === 'time') await this.pattern.edit({ edit: 'set_max_time', max_time_s: fix.max_time_s });
+    if (fix.kind === 'reverse') await this.edits.send({ edit: 'reverse_seam', seam: fix.seam });
+    else if (fix.kind === 'time') await this.edits.send({ edit: 'set_max_time', max_time_s: fix.max_time_s });
     else await this.dressing.arrange();
     if (project.value?.revision !== before) return this.startDrape();
     const refused = this.state_.editing.problem.value ?? this.state_.dressing.placeProblem.value;
@@ -215,7 +221,7 @@ export class Commands {
     const { tab } = this.state_;
     if (fix.kind === 'place' || fix.kind === 'edit') this.select(fix.piece);
     else if (fix.kind === 'seam') this.pattern.selectSeam(fix.seam);
-    else if (fix.kind === 'sew') void this.pattern.propose();
+    else if (fix.kind === 'sew') void this.seams.propose();
     else return false;
     tab.value = fix.kind === 'place' ? 'arrange' : 'pattern';
     return true;

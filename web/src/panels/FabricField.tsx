@@ -10,7 +10,7 @@ import { FabricSwatch } from './FabricSwatch';
 import { t } from '../texts/language';
 
 export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
-  const { pattern } = useCommands();
+  const { edits, pattern } = useCommands();
   const { fabrics } = useAppState().editing;
   const isOpen = useSignal(false);
   useEffect(() => void pattern.loadFabrics(), [pattern]);
@@ -19,8 +19,8 @@ export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
   const whose = pieces.length === 1 ? t.fabric.fabric : t.fabric.fabricOfAll;
   const choose = (fabric: string): void => {
     isOpen.value = false;
-    const edits = cutOf(pieces, fabric);
-    if (edits.length > 0) void pattern.edit(...edits);
+    const cut = cutOf(pieces, fabric);
+    if (cut.length > 0) void edits.send(...cut);
   };
   return (
     <section class="fabric" aria-label={t.fabric.cutOf(whose)}>

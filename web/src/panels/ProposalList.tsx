@@ -30,11 +30,11 @@ export function ProposalList({ pieces }: { pieces: Pieces }) {
 /** Before anybody asked, and after it came to nothing. */
 function Ask({ failure }: { failure: { error: ApiError } | null }) {
   const { busy } = useAppState().editing;
-  const { pattern } = useCommands();
+  const { seams } = useCommands();
   return (
     <>
       {failure && <p class="hint bad"><Told code={failure.error.code} detail={failure.error.detail} /></p>}
-      <button class="plain" disabled={busy.value} onClick={() => void pattern.propose()}>
+      <button class="plain" disabled={busy.value} onClick={() => void seams.propose()}>
         {t.pattern.lookForSeams}
       </button>
     </>
@@ -43,7 +43,7 @@ function Ask({ failure }: { failure: { error: ApiError } | null }) {
 
 function Found({ proposals, pieces }: { proposals: readonly SeamProposal[]; pieces: readonly Piece[] }) {
   const { chosen, busy } = useAppState().editing;
-  const { pattern } = useCommands();
+  const { seams } = useCommands();
   if (proposals.length === 0) return <p class="hint">{t.pattern.noneFurther}</p>;
   return (
     <>
@@ -54,14 +54,14 @@ function Found({ proposals, pieces }: { proposals: readonly SeamProposal[]; piec
             proposal={one}
             pieces={pieces}
             on={chosen.value.has(one.id)}
-            turn={(on) => pattern.choose(one.id, on)}
+            turn={(on) => seams.choose(one.id, on)}
           />
         ))}
       </ul>
       <button
         class="primary"
         disabled={chosen.value.size === 0 || busy.value}
-        onClick={() => void pattern.acceptProposals()}
+        onClick={() => void seams.acceptProposals()}
       >
         {t.pattern.sewSeams(chosen.value.size)}
       </button>

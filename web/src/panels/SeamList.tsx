@@ -77,9 +77,9 @@ function Row({ seam, index, title, chosen }: RowProps) {
 
 /** Both sides of the seam that is selected, what is wrong with it, and what can be done. */
 function Chosen({ seam, difference }: { seam: Seam; difference: string }) {
-  const { pattern } = useCommands();
+  const { edits, pattern } = useCommands();
   const pieces = valueOf(useAppState().pieces.value ?? loading)?.pieces ?? [];
-  const edit = (kind: 'reverse_seam' | 'remove_dart' | 'remove_seam'): void => void pattern.edit({ edit: kind, seam: seam.id });
+  const edit = (kind: 'reverse_seam' | 'remove_dart' | 'remove_seam'): void => void edits.send({ edit: kind, seam: seam.id });
   const remove = (): void => {
     edit('remove_seam');
     pattern.selectSeam(null);

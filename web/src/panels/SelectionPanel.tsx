@@ -84,7 +84,7 @@ function NameField({ label, name, take }: { label: string; name: string; take(to
 
 function PieceFigures({ piece, all }: { piece: Piece; all: readonly Piece[] }) {
   const commands = useCommands();
-  const { pattern } = commands;
+  const { edits, pattern } = commands;
   const box = boxOf(piece.outline);
   const grain = piece.grain ?? [0, 1];
   const move = (by: Point): Promise<void> => pattern.movePiece(piece.id, by);
@@ -100,16 +100,16 @@ function PieceFigures({ piece, all }: { piece: Piece; all: readonly Piece[] }) {
           label={t.pattern.grain}
           value={angle}
           unit="°"
-          take={(wanted) => void pattern.edit({ edit: 'rotate_grain', piece: piece.id, angle: turn(wanted - angle) })}
+          take={(wanted) => void edits.send({ edit: 'rotate_grain', piece: piece.id, angle: turn(wanted - angle) })}
         />
         <NumberField label="x" value={box.minX} length take={(x) => void move([x - box.minX, 0])} />
         <NumberField label="y" value={box.minY} length take={(y) => void move([0, y - box.minY])} />
       </div>
       <div class="button-row">
-        <button class="plain" onClick={() => void pattern.edit({ edit: 'rotate_grain', piece: piece.id, angle: 45 })}>
+        <button class="plain" onClick={() => void edits.send({ edit: 'rotate_grain', piece: piece.id, angle: 45 })}>
           {t.pattern.grain45}
         </button>
-        <button class="plain" onClick={() => void pattern.edit({ edit: 'mirror_piece', piece: piece.id })}>
+        <button class="plain" onClick={() => void edits.send({ edit: 'mirror_piece', piece: piece.id })}>
           {t.pattern.mirror}
         </button>
         <button class="plain" onClick={() => void pattern.duplicatePiece(piece.id, false)}>
@@ -158,19 +158,19 @@ function EdgeChips({ piece }: { piece: Piece }) {
 
 /** Marks a point of the outline with a notch, or takes its notch away. */
 function NotchButton({ piece, edge, at }: { piece: Piece; edge: PieceEdge; at: Point }) {
-  const { pattern } = useCommands();
+  const { edits } = useCommands();
   const notch = notchAt(piece, at);
   if (notch >= 0) {
     const remove: Edit = { edit: 'remove_notch', piece: piece.id, notch };
     return (
-      <button class="plain" onClick={() => void pattern.edit(remove)}>
+      <button class="plain" onClick={() => void edits.send(remove)}>
         {t.pattern.removeNotch}
       </button>
     );
   }
   const mark: Edit = { edit: 'add_notch', piece: piece.id, edge: edge.id, at: nearestOn(edge, at).at, depth_mm: 5 };
   return (
-    <button class="plain" title={t.pattern.notchTip} onClick={() => void pattern.edit(mark)}>
+    <button class="plain" title={t.pattern.notchTip} onClick={() => void edits.send(mark)}>
       {t.pattern.notch}
     </button>
   );
@@ -184,10 +184,10 @@ interface PointFiguresProps {
 }
 
 function PointFigures({ piece, part, edge, at }: PointFiguresProps) {
-  const { pattern } = useCommands();
+  const { edits, pattern } = useCommands();
   if (part.kind === 'edge') return null;
   const move = (to: Point): void =>
-    void pattern.edit(
+    void edits.send(
       part.kind === 'handle'
         ? { edit: 'move_handle', piece: part.piece, edge: part.edge, curve: part.curve, handle: part.handle, to }
         : { edit: 'move_point', piece: part.piece, edge: part.edge, point: part.point, to },
@@ -242,10 +242,10 @@ function EdgeFigures({ piece, edge, pieces, part }: { piece: Piece; edge: PieceE
 }
 
 function LengthFields({ piece, edge }: { piece: Piece; edge: PieceEdge }) {
-  const { pattern } = useCommands();
+  const { edits } = useCommands();
   const keep = useSignal<Keep>('start');
   const set = (length_mm: number): void =>
-    void pattern.edit({ edit: 'set_edge_length', piece: piece.id, edge: edge.id, length_mm, keep: keep.value });
+    void edits.send({ edit: 'set_edge_length', piece: piece.id, edge: edge.id, length_mm, keep: keep.value });
   return (
     <div class="field-row">
       <NumberField label={t.common.length} value={edge.length_mm} length digits={2} take={set} />
@@ -264,7 +264,7 @@ function LengthFields({ piece, edge }: { piece: Piece; edge: PieceEdge }) {
 }
 
 function EdgeButtons({ piece, edge, part }: { piece: Piece; edge: PieceEdge; part: Part }) {
-  const { pattern } = useCommands();
+  const { edits, pattern } = useCommands();
   const curved = !edge.curves.every(isStraight);
   const next = nextEdge(piece, edge.id);
   const of = { piece: piece.id, edge: edge.id };
@@ -273,10 +273,10 @@ function EdgeButtons({ piece, edge, part }: { piece: Piece; edge: PieceEdge; par
       <button class="plain" onClick={() => void pattern.bendOrStraighten(piece.id, edge.id)}>
         {curved ? t.pattern.makeStraight : t.pattern.makeCurve}
       </button>
-      <button class="plain" onClick={() => void pattern.edit({ edit: 'insert_point', ...of, at: 0.5 })}>
+      <button class="plain" onClick={() => void edits.send({ edit: 'insert_point', ...of, at: 0.5 })}>
         {t.pattern.insertPoint}
       </button>
-      <button class="plain" onClick={() => void pattern.edit({ edit: 'split_edge', ...of, at: 0.5 })}>
+      <button class="plain" onClick={() => void edits.send({ edit: 'split_edge', ...of, at: 0.5 })}>
         {t.pattern.splitMiddle}
       </button>
       {next && (

@@ -11,13 +11,13 @@ const kSolvers = [
 ] as const;
 
 export function SolverField() {
-  const { pattern } = useCommands();
+  const { edits } = useCommands();
   const pieces = valueOf(useAppState().pieces.value ?? { state: 'loading' });
   if (!pieces) return null;
   const now = kSolvers.find(({ solver }) => solver === pieces.solver) ?? kSolvers[0];
   const choose = (solver: string): void => {
     const chosen = kSolvers.find((one) => one.solver === solver);
-    if (chosen) void pattern.edit({ edit: 'set_solver', solver: chosen.solver });
+    if (chosen) void edits.send({ edit: 'set_solver', solver: chosen.solver });
   };
   return (
     <section class="fabric" aria-label={t.drape.solver.how}>

@@ -43,7 +43,7 @@ function ToolButtons() {
 /** Undo and redo, with what they would do. */
 function Turns() {
   const { editing, link } = useAppState();
-  const { pattern } = useCommands();
+  const { edits } = useCommands();
   const { undo, redo } = turnsOf(editing.history.value);
   const offline = link.value.state === 'lost';
   return (
@@ -53,7 +53,7 @@ function Turns() {
         disabled={!undo || offline}
         title={undo ? t.pattern.undoTip(undo) : t.pattern.noUndo}
         aria-label={undo ? t.pattern.undoWhat(undo) : t.pattern.undo}
-        onClick={() => void pattern.undo()}
+        onClick={() => void edits.undo()}
       >
         <Glyph path="M6.2 3L2.8 6.4l3.4 3.4M3 6.4h6.2a3.6 3.6 0 0 1 0 7.2H6" />
       </button>
@@ -62,7 +62,7 @@ function Turns() {
         disabled={!redo || offline}
         title={redo ? t.pattern.redoTip(redo) : t.pattern.noRedo}
         aria-label={redo ? t.pattern.redoWhat(redo) : t.pattern.redo}
-        onClick={() => void pattern.redo()}
+        onClick={() => void edits.redo()}
       >
         <Glyph path="M9.8 3l3.4 3.4-3.4 3.4M13 6.4H6.8a3.6 3.6 0 0 0 0 7.2H10" />
       </button>

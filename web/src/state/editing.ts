@@ -43,6 +43,13 @@ export class EditingState extends PerProject {
   readonly range: Signal<RangeDraft | null> = this.perProject(null);
   /** Where a range would begin, or ends at the moment. */
   readonly place: Signal<LoopPlace | null> = this.perProject(null);
+  /** The seam that is being made begins anew. */
+  clearDraft(): void {
+    this.draft.value = emptyDraft;
+    this.range.value = null;
+    this.place.value = null;
+    this.problem.value = null;
+  }
   readonly busy: Signal<boolean> = signal(false);
   /** The last edit that was refused, until another one is tried. */
   readonly problem: Signal<ApiError | null> = this.perProject(null);

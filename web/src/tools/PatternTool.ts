@@ -90,7 +90,7 @@ export interface PatternTool extends ToolFacts {
   words(): ToolWords;
   /** The letter that takes it. */
   readonly key: string;
-  
+
   /** CSS cursors that differ from the usual ones. */
   readonly cursor?: { readonly paper?: string; readonly piece?: string; readonly selected?: string };
 

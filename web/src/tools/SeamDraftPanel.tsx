@@ -13,7 +13,7 @@ import { t } from '../texts/language';
 
 export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
   const state = useAppState();
-  const { pattern } = useCommands();
+  const { seams } = useCommands();
   const { draft } = state.editing;
   const shown = draftShown(state.editing, pieces.pieces);
   const { a, b, side } = shown;
@@ -44,13 +44,13 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
         </p>
       )}
       <div class="button-row">
-        <button class="primary" disabled={!both} onClick={() => void pattern.addSeam()}>
+        <button class="primary" disabled={!both} onClick={() => void seams.addSeam()}>
           {t.common.sew}
         </button>
-        <button class="plain" disabled={!both} aria-pressed={turned} onClick={() => pattern.turnDraft()}>
+        <button class="plain" disabled={!both} aria-pressed={turned} onClick={() => seams.turnDraft()}>
           {t.pattern.reverse}
         </button>
-        <button class="plain" onClick={() => pattern.clearDraft()}>
+        <button class="plain" onClick={() => seams.clearDraft()}>
           {t.pattern.clear}
         </button>
       </div>
@@ -61,7 +61,7 @@ export function SeamDraftPanel({ pieces }: { pieces: Pieces }) {
 /** Edges of the side that is collected, each with the part of it that is sewn. */
 function DraftEdges({ side, pieces }: { side: Side; pieces: Pieces }) {
   const state = useAppState();
-  const { pattern } = useCommands();
+  const { seams } = useCommands();
   const series = state.editing.draft.value[side];
   if (series.length === 0) return null;
   return (
@@ -71,11 +71,11 @@ function DraftEdges({ side, pieces }: { side: Side; pieces: Pieces }) {
           <span>
             {use.piece} · {use.edge}
           </span>
-          <RangeFields use={use} {...{ pieces }} take={(from, to) => pattern.cutDraft(side, i, from, to)} />
+          <RangeFields use={use} {...{ pieces }} take={(from, to) => seams.cutDraft(side, i, from, to)} />
           <button
             class="tool flat"
             aria-label={t.pattern.leaveOut(`${use.piece} · ${use.edge}`)}
-            onClick={() => pattern.leaveOut(side, i)}
+            onClick={() => seams.leaveOut(side, i)}
           >
             <Icon name="cross" />
           </button>

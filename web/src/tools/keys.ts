@@ -60,7 +60,7 @@ export const bindings: Binding[] = [
     title: () => t.keys.does.finishSide,
     group: 'pattern',
     work: true,
-    run: (c) => void c.pattern.finishSide(),
+    run: (c) => void c.seams.finishSide(),
   },
   {
     key: 'delete',
@@ -85,7 +85,7 @@ export const bindings: Binding[] = [
     group: 'pattern',
     work: true,
     ctrl: true,
-    run: (c) => void c.pattern.undo(),
+    run: (c) => void c.edits.undo(),
   },
   {
     key: 'z',
@@ -95,7 +95,7 @@ export const bindings: Binding[] = [
     work: true,
     ctrl: true,
     shift: true,
-    run: (c) => void c.pattern.redo(),
+    run: (c) => void c.edits.redo(),
   },
   { key: '1', shown: '1', title: () => t.keys.does.front, group: 'view', run: (c) => c.showView('front') },
   { key: '2', shown: '2', title: () => t.keys.does.back, group: 'view', run: (c) => c.showView('back') },

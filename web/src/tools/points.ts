@@ -32,7 +32,7 @@ export const points: PatternTool = {
     press: ({ commands }, at) => commands.pattern.selectPart({ kind: 'edge', ...at }),
     double: ({ state, commands }, { piece, edge }, place) => {
       const found = pieceOf(state, piece)?.edges.find((one) => one.id === edge);
-      if (found) void commands.pattern.edit({ edit: 'insert_point', piece, edge, at: nearestOn(found, place).at });
+      if (found) void commands.edits.send({ edit: 'insert_point', piece, edge, at: nearestOn(found, place).at });
     },
   },
   grab: (hand, part, at) => {
@@ -52,7 +52,7 @@ function partDrag({ state, commands }: Hand, part: Part, was: Point): Drag {
     const { at, guides } = snapped(state, piece, was, add(was, by), way);
     return { piece, part, by: [0, 0], at, guides, shown: (shape) => withPartAt(shape, part, at) };
   };
-  return { to, drop: ({ at }) => (at ? commands.pattern.edit(moveEdit(part, at)) : Promise.resolve()) };
+  return { to, drop: ({ at }) => (at ? commands.edits.send(moveEdit(part, at)) : Promise.resolve()) };
 }
 
 /** Where the part comes to lie when the pointer is at `free`, and the points that it took its height or column from. */

@@ -2,9 +2,8 @@
 
 import { loading, valueOf, type AppState } from '../state/AppState';
 import { toCorners } from '../state/seamRange';
-import { SeamDraftPanel } from './SeamDraftPanel';
-import { sewByKeys } from './sew';
 import type { PatternTool, Spot } from './PatternTool';
+import { sewByKeys, sewing } from './sewing';
 import type { PlaneSpot } from '../commands/RangeCommands';
 import { t } from '../texts/language';
 import { patternFigure, patternLength } from '../texts/units';
@@ -13,15 +12,10 @@ import { patternFigure, patternLength } from '../texts/units';
 const planeSpot = ({ at, way }: Spot): PlaneSpot => ({ at, catches: 2 * way.reach, reach: way.alt ? 0 : way.reach });
 
 export const range: PatternTool = {
+  ...sewing,
   id: 'range',
-  keepsPart: false,
   words: () => t.keys.tools.range,
   key: 'M',
-  cursor: { paper: 'crosshair', piece: 'crosshair' },
-  clickPiece: ({ commands }, piece) => {
-    commands.pattern.selectPart(null);
-    commands.select(piece);
-  },
   // The pointer's presses are the trace's; keys take whole edges, whose parts are typed.
   edges: { tabbed: 'all', press: (hand, at, key) => key !== null && sewByKeys(hand, at, key) },
   trace: {
@@ -45,7 +39,6 @@ export const range: PatternTool = {
       </>
     );
   },
-  Panel: SeamDraftPanel,
 };
 
 /** How far the place under the pointer is from the corners on both sides, and what it has met. */

@@ -24,7 +24,7 @@ configure({
 
 export type Call = [command: string, ...args: unknown[]];
 
-/** Stands for all commands: does nothing and keeps what it was asked, as ['pattern.edit', …]. */
+/** Stands for all commands: does nothing and keeps what it was asked, as ['edits.send', …]. */
 function recorder(calls: Call[], path = ''): unknown {
   return new Proxy(() => undefined, {
     get: (_, name) => recorder(calls, path === '' ? String(name) : `${path}.${String(name)}`),

@@ -124,15 +124,15 @@ describe('a selected piece', () => {
     type(field('Grain °'), '45');
     expect(page.asked()).toEqual([
       ['pattern.movePiece', 'a', [12.5, 0]],
-      ['pattern.edit', { edit: 'rotate_grain', piece: 'a', angle: -45 }],
+      ['edits.send', { edit: 'rotate_grain', piece: 'a', angle: -45 }],
     ]);
   });
 
   it('has a button for each thing that is done with a whole piece', () => {
     for (const name of ['Grain +45°', 'Mirror', 'Duplicate', 'Mirrored copy', 'Delete']) click(button(name));
     expect(page.asked()).toEqual([
-      ['pattern.edit', { edit: 'rotate_grain', piece: 'a', angle: 45 }],
-      ['pattern.edit', { edit: 'mirror_piece', piece: 'a' }],
+      ['edits.send', { edit: 'rotate_grain', piece: 'a', angle: 45 }],
+      ['edits.send', { edit: 'mirror_piece', piece: 'a' }],
       ['pattern.duplicatePiece', 'a', false],
       ['pattern.duplicatePiece', 'a', true],
       ['pattern.removePiece', 'a'],
@@ -167,7 +167,7 @@ describe('a selected edge', () => {
     choose(screen.getByRole('combobox', { name: 'Keep' }), 'end');
     type(field('Length mm'), '120');
     expect(page.asked()).toEqual([
-      ['pattern.edit', { edit: 'set_edge_length', piece: 'a', edge: 'e1', length_mm: 120, keep: 'end' }],
+      ['edits.send', { edit: 'set_edge_length', piece: 'a', edge: 'e1', length_mm: 120, keep: 'end' }],
     ]);
   });
 
@@ -175,8 +175,8 @@ describe('a selected edge', () => {
     for (const name of ['Make a curve', 'Insert point', 'Split in the middle', 'Join with e2']) click(button(name));
     expect(page.asked()).toEqual([
       ['pattern.bendOrStraighten', 'a', 'e1'],
-      ['pattern.edit', { edit: 'insert_point', piece: 'a', edge: 'e1', at: 0.5 }],
-      ['pattern.edit', { edit: 'split_edge', piece: 'a', edge: 'e1', at: 0.5 }],
+      ['edits.send', { edit: 'insert_point', piece: 'a', edge: 'e1', at: 0.5 }],
+      ['edits.send', { edit: 'split_edge', piece: 'a', edge: 'e1', at: 0.5 }],
       ['pattern.joinWithNext', 'a', 'e1'],
     ]);
     expect(screen.queryByRole('button', { name: 'Whole edge' })).toBeNull();
@@ -207,7 +207,7 @@ describe('a selected point', () => {
     click(button('Delete point'));
     click(button('Whole edge'));
     expect(page.asked()).toEqual([
-      ['pattern.edit', { edit: 'move_point', piece: 'a', edge: 'e1', point: 0, to: [110, 0] }],
+      ['edits.send', { edit: 'move_point', piece: 'a', edge: 'e1', point: 0, to: [110, 0] }],
       ['pattern.remove'],
       ['pattern.selectPart', { kind: 'edge', piece: 'a', edge: 'e1' }],
     ]);
@@ -223,8 +223,8 @@ describe('a selected point', () => {
     page.show(<SelectionPanel pieces={{ ...pieces }} />);
     click(button('Remove notch'));
     expect(page.asked()).toEqual([
-      ['pattern.edit', { edit: 'add_notch', piece: 'a', edge: 'e1', at: 0, depth_mm: 5 }],
-      ['pattern.edit', { edit: 'remove_notch', piece: 'a', notch: 0 }],
+      ['edits.send', { edit: 'add_notch', piece: 'a', edge: 'e1', at: 0, depth_mm: 5 }],
+      ['edits.send', { edit: 'remove_notch', piece: 'a', notch: 0 }],
     ]);
   });
 
@@ -269,8 +269,8 @@ describe('the list of seams', () => {
     click(button('Remove seam'));
     click(button(/1 side/));
     expect(page.asked()).toEqual([
-      ['pattern.edit', { edit: 'reverse_seam', seam: 'side' }],
-      ['pattern.edit', { edit: 'remove_seam', seam: 'side' }],
+      ['edits.send', { edit: 'reverse_seam', seam: 'side' }],
+      ['edits.send', { edit: 'remove_seam', seam: 'side' }],
       ['pattern.selectSeam', null],
       ['pattern.selectSeam', null],
     ]);
@@ -280,7 +280,7 @@ describe('the list of seams', () => {
     page.change((state) => (state.editing.seam.value = 'dart1'));
     page.show(<SeamList pieces={two([seamOf('dart1', ['a', 'dart1_a'], ['a', 'dart1_b'])])} />);
     click(button('Remove dart'));
-    expect(page.asked()).toEqual([['pattern.edit', { edit: 'remove_dart', seam: 'dart1' }]]);
+    expect(page.asked()).toEqual([['edits.send', { edit: 'remove_dart', seam: 'dart1' }]]);
   });
 });
 
@@ -290,7 +290,7 @@ describe('the proposals', () => {
   it('are looked for when somebody asks', () => {
     page.show(<ProposalList pieces={two()} />);
     click(button('Look for seams'));
-    expect(page.asked()).toEqual([['pattern.propose']]);
+    expect(page.asked()).toEqual([['seams.propose']]);
     page.change((state) => (state.editing.proposals.value = { state: 'loading' }));
     expect(screen.getByRole('status').textContent).toContain('Looking at lengths');
   });
@@ -315,7 +315,7 @@ describe('the proposals', () => {
     expect(screen.getByTitle('Confidence').textContent).toBe('93 %');
     click(screen.getByRole('checkbox'));
     click(button('Sew 1 seam'));
-    expect(page.asked()).toEqual([['pattern.choose', 'seam0', false], ['pattern.acceptProposals']]);
+    expect(page.asked()).toEqual([['seams.choose', 'seam0', false], ['seams.acceptProposals']]);
     page.change((state) => (state.editing.chosen.value = new Set()));
     expect(button('Sew 0 seams').hasAttribute('disabled')).toBe(true);
   });
@@ -349,7 +349,7 @@ describe('the fabric of pieces', () => {
   const cards = (): (string | null)[] =>
     [...document.querySelectorAll('.fabric-library li b')].map((one) => one.textContent);
 
-  const edits = () => page.asked().filter(([command]) => command === 'pattern.edit');
+  const edits = () => page.asked().filter(([command]) => command === 'edits.send');
 
   it('is chosen out of the library’s cards, for one piece or for all', () => {
     page.change((state) => (state.editing.fabrics.value = library));
@@ -359,7 +359,7 @@ describe('the fabric of pieces', () => {
     expect(cards()).toEqual(['Title of jersey', 'Title of twill', 'Title of denim-10oz']);
     click(button(/Title of twill/));
     expect(edits()).toEqual([
-      ['pattern.edit', ...two().pieces.map(({ id }) => ({ edit: 'set_fabric', piece: id, fabric: 'twill' }))],
+      ['edits.send', ...two().pieces.map(({ id }) => ({ edit: 'set_fabric', piece: id, fabric: 'twill' }))],
     ]);
     expect(cards()).toEqual([]);
   });

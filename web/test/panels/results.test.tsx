@@ -98,7 +98,7 @@ describe('a drape under way', () => {
     const chooser = screen.getByRole<HTMLSelectElement>('combobox', { name: 'Solver' });
     expect(chooser.value).toBe('toile');
     fireEvent.change(chooser, { target: { value: 'paper' } });
-    expect(page.asked()).toEqual([['pattern.edit', { edit: 'set_solver', solver: 'paper' }]]);
+    expect(page.asked()).toEqual([['edits.send', { edit: 'set_solver', solver: 'paper' }]]);
     page.change(
       (state) => (state.pieces.value = ready({ pieces: [squareOf('front', 0, 0, 10)], seams: [], solver: 'paper' })),
     );

@@ -30,7 +30,7 @@ const knife = vi.hoisted(
     edges: {
       tabbed: 'all',
       press: ({ commands }, { piece, edge }) =>
-        void commands.pattern.edit({ edit: 'split_edge', piece, edge, at: 0.5 }),
+        void commands.edits.send({ edit: 'split_edge', piece, edge, at: 0.5 }),
     },
     say: () => 'Click where to cut',
     Panel: ({ pieces: all }) => <p>{all.pieces.length} pieces to cut</p>,
@@ -107,7 +107,7 @@ describe('the 2D view', () => {
         ]),
     );
     for (const name of ['Points', 'Undo Mirror piece, a', 'Redo Mirror piece, b', 'Large pattern']) click(button(name));
-    expect(page.asked()).toEqual([['pattern.takeTool', points], ['pattern.undo'], ['pattern.redo']]);
+    expect(page.asked()).toEqual([['pattern.takeTool', points], ['edits.undo'], ['edits.redo']]);
     expect(page.state.editing.large.value).toBe(true);
   });
 
@@ -209,7 +209,7 @@ describe('the tool for points', () => {
     });
     expect(page.asked()).toEqual([
       ['pattern.selectPart', { kind: 'point', piece: 'a', edge: 'e2', point: 0 }],
-      ['pattern.edit', { edit: 'move_point', piece: 'a', edge: 'e2', point: 0, to: [140, 0] }],
+      ['edits.send', { edit: 'move_point', piece: 'a', edge: 'e2', point: 0, to: [140, 0] }],
     ]);
   });
 
@@ -240,8 +240,8 @@ describe('the tool for points', () => {
     fireEvent.keyDown(corner(), { key: 'ArrowUp', shiftKey: true });
     await vi.runAllTimersAsync();
     vi.useRealTimers();
-    expect(page.asked().filter(([command]) => command === 'pattern.edit')).toEqual([
-      ['pattern.edit', { edit: 'move_point', piece: 'a', edge: 'e2', point: 0, to: [101, 110] }],
+    expect(page.asked().filter(([command]) => command === 'edits.send')).toEqual([
+      ['edits.send', { edit: 'move_point', piece: 'a', edge: 'e2', point: 0, to: [101, 110] }],
     ]);
   });
 
@@ -252,7 +252,7 @@ describe('the tool for points', () => {
     fireEvent.dblClick(edge);
     expect(page.asked()).toMatchObject([
       ['pattern.selectPart', { kind: 'edge', piece: 'a', edge: 'e1' }],
-      ['pattern.edit', { edit: 'insert_point', piece: 'a', edge: 'e1' }],
+      ['edits.send', { edit: 'insert_point', piece: 'a', edge: 'e1' }],
     ]);
   });
 
@@ -282,9 +282,9 @@ describe('the tool for seams', () => {
     page.change((state) => (state.editing.draft.value = { ...emptyDraft, a: [{ piece: 'a', edge: 'e0' }] }));
     fireEvent.keyDown(button(/Edge e0 of a/), { key: 'Enter' });
     expect(page.asked()).toEqual([
-      ['pattern.sewEdge', 'a', 'e0'],
-      ['pattern.sewEdge', 'b', 'e0'],
-      ['pattern.finishSide'],
+      ['seams.sewEdge', 'a', 'e0'],
+      ['seams.sewEdge', 'b', 'e0'],
+      ['seams.finishSide'],
     ]);
   });
 
@@ -312,11 +312,11 @@ describe('the tool for seams', () => {
     type(screen.getByRole('textbox', { name: 'to mm' }), '50');
     for (const name of ['Leave out a · e1', 'Sew', 'Reverse', 'Clear']) click(button(name));
     expect(page.asked()).toEqual([
-      ['pattern.cutDraft', 'a', 0, 0, 0.5],
-      ['pattern.leaveOut', 'a', 0],
-      ['pattern.addSeam'],
-      ['pattern.turnDraft'],
-      ['pattern.clearDraft'],
+      ['seams.cutDraft', 'a', 0, 0, 0.5],
+      ['seams.leaveOut', 'a', 0],
+      ['seams.addSeam'],
+      ['seams.turnDraft'],
+      ['seams.clearDraft'],
     ]);
     click(button(/^B/));
     expect(page.state.editing.draft.value.side).toBe('b');
@@ -356,7 +356,7 @@ describe('the tool for ranges', () => {
       'ranges.point',
       'ranges.release',
       'ranges.point',
-      'pattern.sewEdge',
+      'seams.sewEdge',
     ]);
     expect(calls[1]![2]).toBe(true);
     const [pressed, moved] = [calls[1]![1], calls[2]![1]] as { at: [number, number]; reach: number }[];
@@ -401,7 +401,7 @@ describe('a tool that is added to the table', () => {
   it('is asked what it makes of the pointer', () => {
     open(knife);
     fireEvent.pointerDown(button(/Edge e1 of a/), { button: 0 });
-    expect(page.asked()).toEqual([['pattern.edit', { edit: 'split_edge', piece: 'a', edge: 'e1', at: 0.5 }]]);
+    expect(page.asked()).toEqual([['edits.send', { edit: 'split_edge', piece: 'a', edge: 'e1', at: 0.5 }]]);
   });
 
   it('has its panel beside the pattern', () => {
