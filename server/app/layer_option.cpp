@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/pattern/dxf/read.h"
+
 namespace toile::app {
 
 void add_layer_option(CLI::App& verb, std::vector<std::string>& layers) {
@@ -25,6 +27,14 @@ Result<dxf::DxfLayerMap> read_layers(const std::vector<std::string>& given) {
     layers[text.substr(0, sign)] = *role;
   }
   return layers;
+}
+
+Error with_way_out(Error error, std::string_view text, const std::string& file) {
+  if (dxf::layers_may_help(text, error))
+    error.message +=
+        " If the outlines stand on another layer than usual: toile pattern layers " + file +
+        " lists what there is, and --layer NAME=cut (or sew, internal, ignore, ...) says what a layer is.";
+  return error;
 }
 
 }  // namespace toile::app

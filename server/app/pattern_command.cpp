@@ -157,7 +157,8 @@ ExitCode pattern_import_command(const PatternImportOptions& options) {
   const Result<dxf::DxfSettings> settings = settings_of(options);
   if (!settings) return fail(settings.error(), options.json);
   const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(*text, *settings);
-  if (!drawing) return fail(in_file(drawing.error(), options.file), options.json);
+  if (!drawing)
+    return fail(in_file(with_way_out(drawing.error(), *text, options.file), options.file), options.json);
   if (options.json) {
     const std::vector<json::JsonValue> seams =
         options.no_seams ? std::vector<json::JsonValue>{} : proposals_of(*drawing);

@@ -92,7 +92,7 @@ Result<create::NewProject> make(const ProjectNewOptions& options) {
   if (options.accept_seams >= 0) settings.accept_seams = options.accept_seams;
   Result<create::NewProject> made = create::new_project(text, settings);
   if (made) return made;
-  Error error = made.error();
+  Error error = with_way_out(made.error(), text, options.pattern);
   error.where = options.pattern + (error.where.empty() ? "" : ": " + error.where);
   return error;
 }

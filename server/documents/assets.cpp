@@ -56,17 +56,7 @@ json::JsonValue summary_of(const dxf::DxfPiece& piece) {
   });
 }
 
-/// Whether the drawing may only lack outlines because its layers are not the usual ones: lines stand on
-/// several layers, and none of them makes a piece. Who imports it says what they are.
-bool may_need_layers(std::string_view bytes, const Error& error) {
-  constexpr std::array<std::string_view, 4> kOfOutlines{"dxf.no_outline", "dxf.open_outline", "dxf.zero_area",
-                                                        "dxf.self_crossing"};
-  if (std::find(kOfOutlines.begin(), kOfOutlines.end(), error.code) == kOfOutlines.end()) return false;
-  const Result<std::vector<dxf::DxfLayerUse>> layers = dxf::read_dxf_layers(bytes);
-  return layers && std::count_if(layers->begin(), layers->end(),
-                                 [](const dxf::DxfLayerUse& layer) { return layer.drawn; }) > 1;
-}
-
+/// Of a drawing whose layers have to be told before anything is found: who imports it says what they are.
 json::JsonValue without_pieces(const Error& error) {
   return json::JsonValue(std::vector<json::JsonMember>{
       {"pieces", json::JsonValue(std::vector<json::JsonValue>{})},
@@ -77,7 +67,7 @@ json::JsonValue without_pieces(const Error& error) {
 
 Result<std::string> dxf_info(const std::string& name, std::string_view bytes) {
   const Result<dxf::DxfDrawing> drawing = dxf::read_dxf(bytes);
-  if (!drawing && may_need_layers(bytes, drawing.error()))
+  if (!drawing && dxf::layers_may_help(bytes, drawing.error()))
     return json::write_json_line(without_pieces(drawing.error()));
   if (!drawing) {
     Error error = drawing.error();

@@ -114,6 +114,8 @@ TEST(PatternCommand, LayersAreListedAndToldOtherwise) {
   const Ran none = run_toile({"pattern", "import", file});
   EXPECT_EQ(none.code, 2);
   EXPECT_TRUE(none.err.starts_with("toile: dxf.open_outline: ")) << none.err;
+  EXPECT_TRUE(has(none.err, "toile pattern layers " + file.string() + " lists")) << none.err;
+  EXPECT_TRUE(has(none.err, "--layer NAME=cut")) << none.err;
   const Ran listed = run_toile({"pattern", "layers", file});
   EXPECT_EQ(listed.code, 0) << listed.err;
   EXPECT_EQ(listed.out, "layer 1: 1 LINE, read as cut\nlayer 5: 1 LWPOLYLINE, read as grade\n");

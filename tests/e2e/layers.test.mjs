@@ -45,6 +45,7 @@ describe('a pattern of other layers', () => {
       ['odd.dxf', swapped],
     );
     await page.locator('.import-unread .problem .code').getByText(/^dxf\.\w+_outline/).waitFor();
+    await page.locator('.import-unread').getByText('Perhaps the outlines stand on another layer').waitFor();
     await layer('7').waitFor();
     assert.equal(await layer('1').evaluate((one) => one.selectedOptions[0].text), 'as usual: cut line');
     assert.equal(await page.locator('.intake footer .primary').isDisabled(), true);

@@ -442,6 +442,7 @@ describe('the page', () => {
     await shoot(page, '10-import');
     await page.getByRole('radio', { name: 'cm', exact: true }).click();
     await page.locator('.import-pieces').getByText('7,803 × 5,950 mm').first().waitFor();
+    await page.getByText('The largest piece would measure 7,803 mm.').waitFor();
     await page.getByText('back to the guess').click();
     await page.locator('.import-pieces').getByText('780 × 595 mm').first().waitFor();
     await page.getByRole('tab', { name: /^Seams/ }).click();

@@ -176,6 +176,14 @@ describe('the flat view', () => {
     expect(closer.x + 100 / closer.scale).toBeCloseTo(view.x + 100 / view.scale, 9);
     expect(panned(view, 50, 0).x).toBe(400);
     expect(zoomed(view, 1e9).scale).toBe(20);
+    expect(zoomed(view, 1e-9).scale).toBe(0.02);
+  });
+
+  it('shows pieces of thirty metres whole, and zooms in on them', () => {
+    const giant = fit({ minX: 0, minY: 0, maxX: 15_000, maxY: 30_000 }, 556, 456);
+    expect(giant.scale).toBeCloseTo(400 / 30_000, 9);
+    expect(zoomed(giant, 0.5).scale).toBe(giant.scale);
+    expect(zoomed(giant, 2).scale).toBeCloseTo(2 * giant.scale, 9);
   });
 });
 

@@ -1,6 +1,7 @@
 #include "core/pattern/dxf/read.h"
 
 #include <algorithm>
+#include <array>
 #include <streambuf>
 #include <utility>
 #include <variant>
@@ -199,16 +200,16 @@ struct InUnit {
 /// The unit depends on how large the pieces are: they are read in a likely one first.
 Result<InUnit> read_in_its_unit(const Drawing& drawing, const DxfSettings& settings) {
   const std::vector<DxfUnitText>& texts = drawing.layout.style.units;
-  const DxfUnit first =
+  DxfUnit first =
       settings.mm_per_unit ? given_unit(*settings.mm_per_unit) : decide_unit(drawing.file, texts, {});
   const bool sew_layer = has_sew_layer(drawing.file, settings.layers);
   Attempt attempt = TRY(read_all(drawing, {settings, first.mm, sew_layer}));
   const std::vector<double> extents = extents_of(attempt, drawing.layout, first.mm);
   DxfUnit unit = decide_unit(drawing.file, texts, extents);
   if (settings.mm_per_unit) {
-    const std::string doubt = doubt_of_given(first, unit, extents);
-    if (!doubt.empty()) attempt.log.warn(0, doubt);
-    return InUnit{first, std::move(attempt)};
+    first.doubt = doubt_of_given(first, unit, extents);
+    if (first.doubt) attempt.log.warn(0, doubt_text(first));
+    return InUnit{std::move(first), std::move(attempt)};
   }
   if (unit.mm != first.mm) attempt = TRY(read_all(drawing, {settings, unit.mm, sew_layer}));
   return InUnit{std::move(unit), std::move(attempt)};
@@ -306,6 +307,15 @@ Result<std::vector<DxfLayerUse>> read_dxf_layers(std::string_view text, const Dx
   DxfPlaces places = TRY(places_of(file));
   const DxfLayout layout = TRY(in_one_size(std::move(places), settings));
   return layer_uses(file.log.report({}), layout.places, settings.layers);
+}
+
+bool layers_may_help(std::string_view text, const Error& error) {
+  constexpr std::array<std::string_view, 4> kOfOutlines{"dxf.no_outline", "dxf.open_outline", "dxf.zero_area",
+                                                        "dxf.self_crossing"};
+  if (std::find(kOfOutlines.begin(), kOfOutlines.end(), error.code) == kOfOutlines.end()) return false;
+  const Result<std::vector<DxfLayerUse>> layers = read_dxf_layers(text);
+  return layers && std::count_if(layers->begin(), layers->end(),
+                                 [](const DxfLayerUse& layer) { return layer.drawn; }) > 1;
 }
 
 }  // namespace toile::dxf

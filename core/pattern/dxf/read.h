@@ -44,11 +44,19 @@ struct DxfPiece {
 };
 
 /// The unit of the drawing, and why.
+/// Why a unit that was asked for is hardly meant.
+struct DxfUnitDoubt {
+  std::string own;         ///< the unit that the file would be taken to be in
+  double largest_mm = 0;   ///< the largest piece, in the unit that was asked for
+  double largest_own = 0;  ///< likewise in the file's own, millimetres
+};
+
 struct DxfUnit {
   std::string name = "mm";  ///< mm, cm, m, inch, foot; "other" when the settings give another one
   double mm = 1;            ///< millimetres
   double confidence = 1;    ///< 0 to 1; 1 when the settings gave it
   std::vector<std::string> evidence;
+  std::optional<DxfUnitDoubt> doubt;
 };
 
 struct DxfDrawing {
@@ -88,6 +96,10 @@ Result<DxfDrawing> read_dxf(std::istream& in, const DxfSettings& settings = {});
 /// The layers of a file, also of one whose outlines cannot be found: then they may tell why. Errors: those of
 /// read_dxf but for what is wrong with outlines.
 Result<std::vector<DxfLayerUse>> read_dxf_layers(std::string_view text, const DxfSettings& settings = {});
+
+/// Whether the error of read_dxf may only come of layers that are not the usual ones: it is one of outlines,
+/// and lines stand on several layers. Who says what these are may be helped.
+bool layers_may_help(std::string_view text, const Error& error);
 
 /// The piece as a panel of its own name, in the drawing's coordinates: outline counter-clockwise with edges
 /// e0, e1, …, holes clockwise with edges h0e0, … Without forced corners edges end where the outline turns

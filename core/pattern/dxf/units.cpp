@@ -146,7 +146,7 @@ DxfUnit likeliest(const std::vector<Evidence>& all) {
   double sum = 0;
   for (const double s : scores) sum += std::exp(s - *best);
   const Candidate& c = kCandidates[std::size_t(best - scores.begin())];
-  return {c.name, c.mm, 1 / sum, std::move(words)};
+  return {c.name, c.mm, 1 / sum, std::move(words), {}};
 }
 
 }  // namespace
@@ -162,16 +162,23 @@ DxfUnit decide_unit(const DxfFile& file, const std::vector<DxfUnitText>& texts,
 DxfUnit given_unit(double mm_per_unit) {
   const auto it = std::find_if(kCandidates.begin(), kCandidates.end(),
                                [&](const Candidate& c) { return c.mm == mm_per_unit; });
-  return {it == kCandidates.end() ? "other" : it->name, mm_per_unit, 1, {"asked for"}};
+  return {it == kCandidates.end() ? "other" : it->name, mm_per_unit, 1, {"asked for"}, {}};
 }
 
-std::string doubt_of_given(const DxfUnit& given, const DxfUnit& own, const std::vector<double>& extents) {
+std::optional<DxfUnitDoubt> doubt_of_given(const DxfUnit& given, const DxfUnit& own,
+                                           const std::vector<double>& extents) {
   constexpr double kShortest = 30, kLongest = 5000;  // mm, of a garment's largest piece
   const double largest = largest_of(extents), mm = largest * given.mm;
-  if (own.mm == given.mm || largest == 0 || (mm > kShortest && mm < kLongest)) return "";
-  return "the largest piece is " + length_words(mm) + " in the unit that was asked for (" + given.name +
-         "); by itself the file would be taken to be in " + own.name + ", and that piece to be " +
-         length_words(largest * own.mm) + ": leave the unit out, or give " + own.name;
+  if (own.mm == given.mm || largest == 0 || (mm > kShortest && mm < kLongest)) return {};
+  return DxfUnitDoubt{own.name, mm, largest * own.mm};
+}
+
+std::string doubt_text(const DxfUnit& given) {
+  const DxfUnitDoubt& doubt = *given.doubt;
+  return "the largest piece is " + length_words(doubt.largest_mm) + " in the unit that was asked for (" +
+         given.name + "); by itself the file would be taken to be in " + doubt.own +
+         ", and that piece to be " + length_words(doubt.largest_own) + ": leave the unit out, or give " +
+         doubt.own;
 }
 
 }  // namespace toile::dxf

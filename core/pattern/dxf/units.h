@@ -1,6 +1,8 @@
 #pragma once
 // Which unit a drawing is in.
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/pattern/dxf/entities.h"
@@ -28,7 +30,11 @@ DxfUnit decide_unit(const DxfFile& file, const std::vector<DxfUnitText>& texts,
 DxfUnit given_unit(double mm_per_unit);
 
 /// Why a unit that was asked for is hardly meant: nobody wears pieces of that size, and the drawing's own
-/// unit (decide_unit) makes garments of them. Empty where that cannot be said.
-std::string doubt_of_given(const DxfUnit& given, const DxfUnit& own, const std::vector<double>& extents);
+/// unit (decide_unit) makes garments of them. Nothing where that cannot be said.
+std::optional<DxfUnitDoubt> doubt_of_given(const DxfUnit& given, const DxfUnit& own,
+                                           const std::vector<double>& extents);
+
+/// The doubt in a sentence. REQUIRES that there is one.
+std::string doubt_text(const DxfUnit& given);
 
 }  // namespace toile::dxf

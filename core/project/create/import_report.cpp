@@ -168,21 +168,29 @@ json::JsonValue layers_json(const std::vector<dxf::DxfLayerUse>& layers) {
   return list;
 }
 
+namespace {
+
+json::JsonValue unit_json(const dxf::DxfUnit& unit) {
+  Members members{{"name", unit.name},
+                  {"mm_per_unit", unit.mm},
+                  {"confidence", rounded(unit.confidence, 3)},
+                  {"evidence", texts(unit.evidence)}};
+  if (unit.doubt)
+    members.push_back({"doubt", Members{{"own", unit.doubt->own},
+                                        {"largest_mm", rounded(unit.doubt->largest_mm, 1)},
+                                        {"largest_own_mm", rounded(unit.doubt->largest_own, 1)}}});
+  return members;
+}
+
+}  // namespace
+
 json::JsonValue import_json(const dxf::DxfDrawing& drawing, const std::vector<json::JsonValue>& seams) {
   std::vector<json::JsonValue> pieces;
   for (const dxf::DxfPiece& piece : drawing.pieces) pieces.push_back(piece_json(piece));
-  const dxf::DxfUnit& unit = drawing.unit;
-  return Members{{"unit", Members{{"name", unit.name},
-                                  {"mm_per_unit", unit.mm},
-                                  {"confidence", rounded(unit.confidence, 3)},
-                                  {"evidence", texts(unit.evidence)}}},
-                 {"style", drawing.style},
-                 {"sizes", texts(drawing.sizes)},
-                 {"size", drawing.size},
-                 {"sample_size", drawing.sample_size},
-                 {"layers", layers_json(drawing.layers)},
-                 {"pieces", std::move(pieces)},
-                 {"seams", seams},
+  return Members{{"unit", unit_json(drawing.unit)},      {"style", drawing.style},
+                 {"sizes", texts(drawing.sizes)},        {"size", drawing.size},
+                 {"sample_size", drawing.sample_size},   {"layers", layers_json(drawing.layers)},
+                 {"pieces", std::move(pieces)},          {"seams", seams},
                  {"report", report_json(drawing.report)}};
 }
 

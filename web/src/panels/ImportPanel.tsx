@@ -63,6 +63,7 @@ function Unread({ draft, error, page }: { draft: ImportDraft; error: ApiError } 
             <Told code={code} detail={detail} />
           </p>
           <p class="code">{[code, where].filter(Boolean).join(' · ')}</p>
+          {hasLayers && <p>{t.imports.layers.wayOut}</p>}
           {(draft.unit || draft.size) && <Again />}
         </div>
       </div>
@@ -175,6 +176,7 @@ function UnitAndSize({ draft, report }: { draft: ImportDraft; report: Import }) 
           </button>
         )}
       </div>
+      {unit.doubt && <UnitDoubt {...unit.doubt} />}
       <ul class="evidence">
         {unit.evidence.map((text, i) => (
           <li key={i}>{sentence(text)}</li>
@@ -194,6 +196,22 @@ function UnitAndSize({ draft, report }: { draft: ImportDraft; report: Import }) 
         </label>
       )}
     </section>
+  );
+}
+
+/** A unit that was asked for makes pieces that nobody wears. */
+function UnitDoubt({ own, largest_mm, largest_own_mm }: NonNullable<Import['unit']['doubt']>) {
+  const { imports } = useCommands();
+  const told = kUnits.find((one) => one.title === own);
+  return (
+    <div class="problem unit-doubt" role="alert">
+      <p>{t.imports.unitDoubt(patternLength(largest_mm, 0), own, patternLength(largest_own_mm, 0))}</p>
+      {told && (
+        <button class="plain" onClick={() => void imports.takeUnit(told.unit)}>
+          {t.imports.takeUnit(own)}
+        </button>
+      )}
+    </div>
   );
 }
 

@@ -10,17 +10,17 @@ export interface Viewport {
   scale: number;
 }
 
+/** By hand; what is fitted may be smaller. */
 const kSmallest = 0.02;
 const kLargest = 20;
 
-const clamped = (scale: number): number => Math.min(kLargest, Math.max(kSmallest, scale));
 
 /** Shows a whole box (y up) with a margin in pixels, and below `top` pixels that are covered. */
 export function fit(box: Box, width: number, height: number, margin = 28, top = 0): Viewport {
   const w = Math.max(box.maxX - box.minX, 1);
   const h = Math.max(box.maxY - box.minY, 1);
   const down = Math.max(height - 2 * margin - top, 20);
-  const scale = clamped(Math.min(Math.max(width - 2 * margin, 20) / w, down / h));
+  const scale = Math.min(kLargest, Math.max(width - 2 * margin, 20) / w, down / h);
   return { x: (box.minX + box.maxX) / 2, y: -(box.minY + box.maxY) / 2 - top / 2 / scale, scale };
 }
 
@@ -30,9 +30,9 @@ export const panned = (view: Viewport, dxPx: number, dyPx: number): Viewport => 
   y: view.y - dyPx / view.scale,
 });
 
-/** Zooms about a point given in pixels from the view's middle, which stays where it is. */
+/** Zooms about a point given in pixels from the view's middle, which stays where it is. What is larger than any garment is seen whole all the same. */
 export function zoomed(view: Viewport, factor: number, px = 0, py = 0): Viewport {
-  const scale = clamped(view.scale * factor);
+  const scale = Math.min(kLargest, Math.max(Math.min(kSmallest, view.scale), view.scale * factor));
   const keep = 1 / view.scale - 1 / scale;
   return { x: view.x + px * keep, y: view.y + py * keep, scale };
 }

@@ -182,6 +182,19 @@ describe('a pattern file', () => {
     ]);
   });
 
+  it('in a unit that makes giants of its pieces says so where the unit is chosen, with the way back', () => {
+    const doubt = { own: 'mm', largest_mm: 14948.8, largest_own_mm: 588.5 };
+    const unit = { name: 'inch', mm_per_unit: 25.4, confidence: 1, evidence: ['asked for'], doubt };
+    open(draftOf({ unit: 'inch', report: ready(importOf({ unit })) }));
+    const words = screen.getByRole('alert').textContent;
+    expect(words).toContain('The largest piece would measure 14,949 mm.');
+    expect(words).toContain('it is in mm, and that piece measures 589 mm.');
+    click(button('Take mm'));
+    expect(page.asked()).toEqual([['imports.takeUnit', 'mm']]);
+    open(draftOf({ unit: 'mm' }));
+    expect(screen.queryByRole('alert')).toBeNull();
+  });
+
   it('that says its unit itself is believed', () => {
     open(draftOf({ source: { kind: 'specification', file: fileOf('apron.json'), bodies: [] } }));
     expect(screen.getAllByRole('radio').every(isOff)).toBe(true);
@@ -261,6 +274,7 @@ describe('the layers of a file', () => {
     page.change((state) => (state.intake.value = intakeOf()));
     page.show(<ImportPanel draft={failed} Preview={Preview} />);
     expect(screen.getByRole('alert').textContent).toContain('The drawing holds no closed outline.');
+    expect(screen.getByText(/Say below which one is the cut line/)).toBeTruthy();
     choose(screen.getByRole('combobox', { name: 'Layer A is' }), 'cut');
     expect(page.asked()).toEqual([['imports.takeLayer', 'A', 'cut']]);
     page.show(<ImportPanel draft={draftOf({ layers: { A: 'cut' } })} Preview={Preview} />);

@@ -165,6 +165,15 @@ TEST(DxfLayers, AreListedOfAFileWithoutPiecesToo) {
   EXPECT_EQ(dxf::read_dxf_layers("no dxf").error().code, "dxf.not_dxf");
 }
 
+TEST(DxfLayers, MayHelpWhereOutlinesAreWrongAndLinesStandOnSeveral) {
+  const auto may_help = [](const std::string& text) {
+    return dxf::layers_may_help(text, dxf::read_dxf(text, in_mm()).error());
+  };
+  EXPECT_TRUE(may_help(entities(line({0, 0}, {300, 0}, "1") + rectangle({0, 0}, 300, 400, "5"))));
+  EXPECT_FALSE(may_help(entities(line({0, 0}, {300, 0}, "1"))));
+  EXPECT_FALSE(may_help("no dxf"));
+}
+
 TEST(DxfLayers, ThatTheFileHasNotAreRefusedWithThoseThatItHas) {
   const Error error = dxf::read_dxf(drawn({}), told({{"41", DxfRole::kCut}})).error();
   EXPECT_EQ(error.code, "dxf.unknown_layer");

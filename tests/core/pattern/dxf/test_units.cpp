@@ -64,6 +64,11 @@ TEST(DxfUnits, AUnitThatWasAskedForIsTakenAndAGiantIsTold) {
   EXPECT_EQ(giant.unit.name, "inch");
   EXPECT_TRUE(told(giant, "the largest piece is 17.8 m in the unit that was asked for (inch)"));
   EXPECT_TRUE(told(giant, "that piece to be 700 mm: leave the unit out, or give mm"));
+  ASSERT_TRUE(giant.unit.doubt);
+  EXPECT_EQ(giant.unit.doubt->own, "mm");
+  EXPECT_NEAR(giant.unit.doubt->largest_mm, 17780, 1e-6);
+  EXPECT_NEAR(giant.unit.doubt->largest_own, 700, 1e-6);
+  EXPECT_FALSE(read_in(150, 25.4).unit.doubt);
   EXPECT_TRUE(told(read_in(700, 0.01), "the largest piece is 7.0 mm"));
   EXPECT_FALSE(told(read_in(150, 25.4), "asked for"));  // 3.8 m: a curtain may be
   EXPECT_FALSE(told(read_in(6000, 1), "asked for"));    // the file says so itself

@@ -260,7 +260,9 @@ export interface paths {
          * @description Tells what the file holds: its unit and why, sizes, pieces, and what became of every entity, with proposals of
          *     seams (of a specification: its own). Nothing is kept. `document` is a project document to begin with: seams of the
          *     proposals, the body and the name are for the client to put in, before it is sent to /api/v1/projects with `asset`
-         *     under the name of `file`.
+         *     under the name of `file`. A refusal of outlines (dxf.no_outline, dxf.open_outline, dxf.zero_area,
+         *     dxf.self_crossing) may come of layers that are not AAMA's: `layers` says what they are, and
+         *     GET /api/v1/assets/{id}/layers lists them.
          */
         post: operations["importPattern"];
         delete?: never;
@@ -2182,6 +2184,15 @@ export interface components {
                 mm_per_unit?: number;
                 confidence: number;
                 evidence: string[];
+                /** @description Where a unit that was asked for is hardly meant: no garment has pieces of that size, and in the unit that the file itself speaks for it would be one */
+                doubt?: {
+                    /** @example mm */
+                    own: string;
+                    /** @description the largest piece, in the unit that was asked for */
+                    largest_mm: number;
+                    /** @description likewise, in the file's own */
+                    largest_own_mm: number;
+                };
             };
             style: string;
             /** @description of a graded file */

@@ -12,6 +12,8 @@ export const imports: Texts['imports'] = {
     tab: (n) => `Lagen ${n}`,
     title: 'Lagen der Datei',
     hint: 'Lagen werden nach den Nummern von AAMA und ASTM gelesen oder nach ihren Namen. Verwendet Ihr CAD andere, sagen Sie, was darauf gezeichnet ist.',
+    wayOut:
+      'Vielleicht liegen die Umrisse auf einer anderen Lage als üblich. Sagen Sie unten, welche die Schnittlinie ist; die Schnittteile erscheinen sofort.',
     usual: 'wie üblich',
     usualRole: (role) => `wie üblich: ${role}`,
     allAsUsual: 'Alle wie üblich lesen',
@@ -41,6 +43,9 @@ export const imports: Texts['imports'] = {
   holds: 'Was die Datei enthält',
   unitAndSize: 'Einheit und Größe',
   asYouSay: 'wie von Ihnen gesagt',
+  unitDoubt: (large, own, proper) =>
+    `Das größte Schnittteil wäre ${large} groß. Nach dem, was die Datei selbst sagt, ist sie in ${own}, und es misst ${proper}.`,
+  takeUnit: (unit) => `${unit} nehmen`,
   backToGuess: 'zurück zur Vermutung',
   sampleSize: '(Grundgröße)',
   mirrored: (n) => `, davon ${n} gespiegelt`,

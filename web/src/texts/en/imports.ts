@@ -11,6 +11,7 @@ export const imports = {
     tab: (n: number) => `Layers ${n}`,
     title: 'Layers of the file',
     hint: 'Layers are read by the numbers of AAMA and ASTM, or by their names. Where your CAD uses others, say what is drawn on them.',
+    wayOut: 'Perhaps the outlines stand on another layer than usual. Say below which one is the cut line; the pieces appear at once.',
     usual: 'as usual',
     usualRole: (role: string) => `as usual: ${role}`,
     allAsUsual: 'Read all as usual',
@@ -40,6 +41,9 @@ export const imports = {
   holds: 'What the file holds',
   unitAndSize: 'Unit and size',
   asYouSay: 'as you say',
+  unitDoubt: (large: string, own: string, proper: string) =>
+    `The largest piece would measure ${large}. By what the file itself says it is in ${own}, and that piece measures ${proper}.`,
+  takeUnit: (unit: string) => `Take ${unit}`,
   backToGuess: 'back to the guess',
   sampleSize: '(sample size)',
   mirrored: (n: number) => `, ${n} mirrored`,
