@@ -40,7 +40,8 @@ export function Inspector(props: PicturesProps & { movies?: MovieMaking; files?:
           </button>
         ))}
       </div>
-      <div class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${shown}`} tabIndex={0}>
+      {/* Each begins at its top, wherever the one before was left. */}
+      <div key={shown} class="tab-panel" role="tabpanel" id="tab-panel" aria-labelledby={`tab-${shown}`} tabIndex={0}>
         <h2 class="visually-hidden">{t.frame.tabs[shown]}</h2>
         {shown === 'pattern' && <PatternPanel files={props.files} />}
         {shown === 'body' && <BodyPanel />}

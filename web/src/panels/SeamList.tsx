@@ -42,13 +42,16 @@ interface RowProps {
 
 function Row({ seam, index, title, chosen }: RowProps) {
   const state = useAppState();
-  const { pattern } = useCommands();
+  const commands = useCommands();
+  const { pattern } = commands;
   const row = useRef<HTMLLIElement>(null);
   const lit = state.editing.litSeam.value === seam.id;
   const { lengths, difference } = lengthsText(seam.length_a_mm, seam.length_b_mm);
   useEffect(() => {
     if (chosen) row.current?.scrollIntoView({ block: 'nearest' });
   }, [chosen]);
+  // A row that goes away under the pointer is never left by it.
+  useEffect(() => () => void (state.editing.litSeam.peek() === seam.id && commands.pattern.lightSeam(null)), [state, commands, seam.id]);
   return (
     <li
       ref={row}

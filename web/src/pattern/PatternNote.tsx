@@ -2,6 +2,7 @@
 
 import type { Piece } from '../api/types';
 import type { ApiError } from '../api/http';
+import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { lengthsText, numberedTitle, seamLengths } from '../state/seamView';
 import type { Held, PatternTool } from '../tools/PatternTool';
@@ -22,7 +23,10 @@ export function PatternNote({ pieces, tool, held, lit }: PatternNoteProps) {
   const state = useAppState();
   const problem = state.editing.problem.value;
   if (problem) return <Refusal problem={problem} />;
-  const said = placeOf(held) ?? lengthsOf(pieces, lit, state.editing.range.value === null) ?? tool.say?.(state) ?? null;
+  // As in the list of seams; what is held is longer or shorter than the service knows.
+  const seams = valueOf(state.pieces.value ?? loading)?.seams ?? [];
+  const known = held ? undefined : seams.find((seam) => seam.id === lit?.seam.id);
+  const said = placeOf(held) ?? lengthsOf(lit, known ? [known.length_a_mm, known.length_b_mm] : drawnLengths(pieces, lit), state.editing.range.value === null) ?? tool.say?.(state) ?? null;
   if (said === null) return null;
   return (
     <p class="pattern-note" role="status">
@@ -53,11 +57,16 @@ function placeOf(held: Held | null) {
   );
 }
 
-/** How long both sides of the lit seam are; of one that is being made how it is sewn, once both are there. */
-function lengthsOf(pieces: readonly Piece[], lit: ShownSeam | null, both: boolean) {
-  if (!lit || lit.seam.b.length === 0) return null;
+function drawnLengths(pieces: readonly Piece[], lit: ShownSeam | null): [number, number] {
+  if (!lit) return [0, 0];
   const { a, b } = seamLengths(pieces, lit.seam);
-  const { lengths, difference } = lengthsText(a, b);
+  return [a, b];
+}
+
+/** How long both sides of the lit seam are; of one that is being made how it is sewn, once both are there. */
+function lengthsOf(lit: ShownSeam | null, both_mm: readonly [number, number], both: boolean) {
+  if (!lit || lit.seam.b.length === 0) return null;
+  const { lengths, difference } = lengthsText(...both_mm);
   const drafted = lit.seam.id === kDraftSeam;
   return (
     <>

@@ -181,7 +181,7 @@ function older(since: readonly string[]): Outcome {
   return {
     tone: 'warn',
     title: t.outcome.older,
-    text: t.outcome.without(what).trim(),
+    text: t.outcome.without(what),
     seams: [],
     pieces: [],
     fixes: [{ kind: 'drape' }],

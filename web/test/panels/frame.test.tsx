@@ -357,6 +357,13 @@ describe('the inspector', () => {
     }
   });
 
+  it('begins each panel at its top', () => {
+    page.show(<Inspector resultUrl={resultUrl} />);
+    screen.getByRole('tabpanel').scrollTop = 300;
+    click(screen.getByRole('tab', { name: 'Result' }));
+    expect(screen.getByRole('tabpanel', { name: 'Result' }).scrollTop).toBe(0);
+  });
+
   it('goes round its tabs by arrow keys', () => {
     page.show(<Inspector resultUrl={resultUrl} />);
     fireEvent.keyDown(screen.getByRole('tablist'), { key: 'ArrowLeft' });

@@ -260,6 +260,13 @@ describe('the list of seams', () => {
     ]);
   });
 
+  it('leaves no seam lit when its row goes away under the pointer', () => {
+    page.show(<SeamList pieces={two()} />);
+    page.change((state) => (state.editing.litSeam.value = 'side'));
+    page.show(null);
+    expect(page.asked()).toEqual([['pattern.lightSeam', null]]);
+  });
+
   it('opens the one that is selected', () => {
     page.change((state) => (state.editing.seam.value = 'side'));
     page.show(<SeamList pieces={two()} />);

@@ -134,7 +134,7 @@ describe('a drape under way', () => {
         step(1, 50, { edit: 'mirror_piece', piece: 'front' }),
       ];
     });
-    expect(screen.getByText(/^Change picture, front\. Cloth, figures and files/)).toBeTruthy();
+    expect(screen.getByText(/^Since then: Change picture, front\. Cloth, figures and files/)).toBeTruthy();
     click(screen.getByRole('button', { name: 'Drape again' }));
     expect(page.asked()).toEqual([['mend', { kind: 'drape' }]]);
     // What has been undone again is no change.

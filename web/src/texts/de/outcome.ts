@@ -28,7 +28,7 @@ export const outcome: Texts['outcome'] = {
   openSeams: (n) => n === 1 ? 'Eine Naht blieb offen' : `${number(n)} Nähte blieben offen`,
   openings: (n) => n === 1 ? 'Eine Öffnung ist übrig' : `${number(n)} Öffnungen sind übrig`,
   leftOut: (n) => n === 1 ? 'Ein Teil wurde weggelassen' : `${number(n)} Teile wurden weggelassen`,
-  without: (what) => `${what} Stoff, Maße und Dateien hier sind noch ohne das.`,
+  without: (what) => `${what && `Seitdem: ${what} `}Stoff, Maße und Dateien hier sind die von vorher.`,
   texts: {
     inBody: 'Das Teil beginnt im Körper. Neu platziert steht es frei davor.',
     inCloth: 'Zwei Teile beginnen ineinander. Neu platziert stehen sie getrennt.',

@@ -27,7 +27,7 @@ export const outcome = {
   openSeams: (n: number) => n === 1 ? 'A seam stayed open' : `${number(n)} seams stayed open`,
   openings: (n: number) => n === 1 ? 'An opening is left' : `${number(n)} openings are left`,
   leftOut: (n: number) => n === 1 ? 'A piece was left out' : `${number(n)} pieces were left out`,
-  without: (what: string) => `${what} Cloth, figures and files here are without it.`,
+  without: (what: string) => `${what && `Since then: ${what} `}Cloth, figures and files here are those of before.`,
   texts: {
     inBody: 'The piece begins within the body. Arranged anew it stands clear of it.',
     inCloth: 'Two pieces begin within each other. Arranged anew they stand apart.',
