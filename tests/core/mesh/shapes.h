@@ -14,6 +14,8 @@
 
 namespace toile {
 
+inline constexpr double kH = 0.015;  ///< m, between vertices
+
 /// A fixed sequence of numbers in [0, 1), the same everywhere.
 class Sequence {
  public:

@@ -14,8 +14,6 @@
 namespace toile {
 namespace {
 
-constexpr double kH = 0.015;
-
 pattern::Pattern one_piece(std::vector<pattern::InnerLine> lines) {
   pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("front", 202, 97)};
