@@ -27,9 +27,4 @@ std::filesystem::path fresh_folder(const std::string& name);
 std::string text_of(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
 
-/// Whether the text has that part.
-inline bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace toile

@@ -12,7 +12,6 @@
 #include <system_error>
 #include <thread>
 
-#include "core/json/tree.h"
 #include "tests/app/program.h"
 
 extern char** environ;
@@ -112,21 +111,6 @@ http::HttpReply Serving::post(const std::string& target, const std::string& json
   if (!json.empty()) request.content_type = "application/json";
   if (!key.empty()) request.headers.emplace_back("Idempotency-Key", key);
   return ask(request);
-}
-
-bool wait_for(const std::function<bool()>& holds) {
-  for (int waited = 0; waited < 12000; ++waited) {
-    if (holds()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
-
-std::string member(const std::string& json, const std::string& key) {
-  const Result<json::JsonValue> tree = json::parse_json(json, {.depth = 64});
-  const json::JsonValue* found = tree ? tree->find(key) : nullptr;
-  if (found && found->number()) return std::to_string(static_cast<int>(*found->number()));
-  return found && found->text() ? *found->text() : "";
 }
 
 }  // namespace toile

@@ -4,7 +4,6 @@
 #include <sys/types.h>
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,11 +45,5 @@ class Serving {
   int port_ = 0;
   std::filesystem::path log_, roots_;  ///< roots_: empty without TLS
 };
-
-/// False after two minutes.
-bool wait_for(const std::function<bool()>& holds);
-
-/// A member of a JSON object as text; numbers without digits after the point.
-std::string member(const std::string& json, const std::string& key);
 
 }  // namespace toile

@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 TEST(CommandLine, HelpsEverywhereWithExamples) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--help"}, {"drape", "--help"}, {"check", "--help"}, {"body", "-h"}}) {

@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 /// What a shell prints.
 std::string said_by(const std::string& command) {
   std::string text;

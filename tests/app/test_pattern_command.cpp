@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 /// A half front in two sizes with a mirror line and a notch, inches.
 const std::string kGraded = [] {
   std::string blocks, inserts;

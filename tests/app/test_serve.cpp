@@ -24,6 +24,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string member(const std::string& json, const std::string& key) {
+  const Result<json::JsonValue> tree = json::parse_json(json, {.depth = 64});
+  const json::JsonValue* found = tree ? tree->find(key) : nullptr;
+  return found && found->text() ? *found->text() : "";
+}
+
 std::set<std::string> job_ids(const Serving& server) {
   std::set<std::string> ids;
   const Result<json::JsonValue> tree =

@@ -49,6 +49,8 @@ class VerifyCommand : public testing::Test {
   fs::path folder;
 };
 
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 TEST_F(VerifyCommand, ASecondDrapeHasTheSameBytes) {
   const Ran run = verified({"--json"});
   EXPECT_EQ(run.code, 0) << run.out << run.err;

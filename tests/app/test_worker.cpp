@@ -26,6 +26,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// False after two minutes.
+bool wait_for(const std::function<bool()>& holds) {
+  for (int waited = 0; waited < 12000; ++waited) {
+    if (holds()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+/// A member of a JSON object as text; numbers without digits after the point.
+std::string member(const std::string& json, const std::string& key) {
+  const Result<json::JsonValue> tree = json::parse_json(json, {.depth = 64});
+  const json::JsonValue* found = tree ? tree->find(key) : nullptr;
+  if (found && found->number()) return std::to_string(static_cast<int>(*found->number()));
+  return found && found->text() ? *found->text() : "";
+}
+
 /// `toile worker` in a process of its own, one drape at a time.
 class Working {
  public:

@@ -14,8 +14,6 @@
 
 namespace toile {
 
-inline constexpr double kH = 0.015;  ///< m, between vertices
-
 /// A fixed sequence of numbers in [0, 1), the same everywhere.
 class Sequence {
  public:

@@ -14,6 +14,8 @@
 namespace toile {
 namespace {
 
+constexpr double kH = 0.015;
+
 pattern::Pattern one_piece(std::vector<pattern::InnerLine> lines) {
   pattern::Pattern pattern;
   pattern.panels = {rectangle_panel("front", 202, 97)};

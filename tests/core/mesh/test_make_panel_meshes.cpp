@@ -13,6 +13,8 @@
 namespace toile {
 namespace {
 
+constexpr double kH = 0.015;
+
 mesh::PanelMeshes meshed(const pattern::Pattern& pattern, double h = kH) {
   Result<mesh::PanelMeshes> meshes = mesh::make_panel_meshes(pattern, h, {});
   EXPECT_TRUE(meshes.ok()) << (meshes.ok() ? "" : to_string(meshes.error()));

@@ -12,6 +12,8 @@
 namespace toile {
 namespace {
 
+constexpr double kH = 0.015;
+
 mesh::FlatMesh meshed(const std::vector<mesh::Polygon>& loops, double h = kH) {
   Result<mesh::FlatMesh> mesh = mesh::triangulate(loops, h, {});
   EXPECT_TRUE(mesh.ok()) << (mesh.ok() ? "" : to_string(mesh.error()));

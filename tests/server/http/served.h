@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
@@ -24,20 +23,6 @@
 #include "tests/server/store/update_job.h"
 
 namespace toile::test {
-
-/// A header of requests whose body is JSON.
-inline constexpr const char* kJson = "Content-Type: application/json\r\n";
-/// An edit of the least project.
-inline constexpr const char* kRename =
-    R"({"edits": [{"edit": "rename_piece", "piece": "napkin", "to": "cloth"}]})";
-
-/// Memory of this process, server and all.
-inline double resident_mb() {
-  std::ifstream in("/proc/self/statm");
-  double total = 0, resident = 0;
-  in >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 /// Jobs that nobody drapes: their states change as they are told, and the test plays the worker.
 class ScriptedJobs final : public jobs::JobService {

@@ -18,6 +18,8 @@
 namespace toile::test {
 namespace {
 
+constexpr const char* kJson = "Content-Type: application/json\r\n";
+
 class Contract : public Served {
  protected:
   void SetUp() override { serve({}, true); }

@@ -8,6 +8,7 @@
 namespace toile::test {
 namespace {
 
+constexpr const char* kRename = R"({"edits": [{"edit": "rename_piece", "piece": "napkin", "to": "cloth"}]})";
 constexpr const char* kWiden =
     R"({"edits": [{"edit": "set_edge_length", "piece": "cloth", "edge": "south", "length_mm": 350, "keep": "middle"}]})";
 

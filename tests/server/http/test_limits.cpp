@@ -22,6 +22,13 @@ bool wait_for(const std::function<bool()>& holds) {
   return holds();
 }
 
+double resident_mb() {
+  std::ifstream in("/proc/self/statm");
+  double total = 0, resident = 0;
+  in >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
 std::string announcing(std::size_t bytes) {
   return "POST /api/v1/bodies?name=post.obj HTTP/1.1\r\nHost: localhost\r\nContent-Type: "
          "application/octet-stream\r\nContent-Length: " +

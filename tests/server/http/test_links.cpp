@@ -14,6 +14,8 @@
 namespace toile::test {
 namespace {
 
+constexpr const char* kJson = "Content-Type: application/json\r\n";
+
 std::int64_t now_ms() {
   using namespace std::chrono;
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();

@@ -405,6 +405,14 @@ TEST_F(Stream, SaysGoodByeWhenTheServerStops) {
   stopping.join();
 }
 
+double resident_mb() {
+  std::ifstream in("/proc/self/status");
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024;
+  }
+  return 0;
+}
+
 TEST_F(Stream, TwentyViewersOfWhichFiveStopReadingCostNoMemoryAndHoldUpNobody) {
   constexpr int kReading = 15, kStalled = 5;
   std::vector<Socket> stalled;

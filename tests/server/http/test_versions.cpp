@@ -7,6 +7,8 @@
 namespace toile::test {
 namespace {
 
+constexpr const char* kRename = R"({"edits": [{"edit": "rename_piece", "piece": "napkin", "to": "cloth"}]})";
+
 class Versions : public Served {
  protected:
   void SetUp() override {

@@ -21,6 +21,8 @@
 namespace toile::test {
 namespace {
 
+constexpr const char* kJson = "Content-Type: application/json\r\n";
+
 /// What came in at the route of the test's own that stands for somebody else's server.
 class Inbox {
  public:

@@ -8,7 +8,6 @@
 #include <memory>
 #include <string>
 
-#include "server/store/sqlite/database.h"
 #include "server/store/sqlite/open.h"
 #include "tests/server/owners.h"
 
@@ -38,12 +37,6 @@ inline std::unique_ptr<store::Store> opened(const std::string& folder) {
   if (store) return std::move(*store);
   std::fprintf(stderr, "%s\n", to_string(store.error()).c_str());
   std::abort();
-}
-
-inline sqlite::SqlDatabase database_in(const TemporaryFolder& folder) {
-  Result<sqlite::SqlDatabase> database = sqlite::SqlDatabase::open(folder.path() + "/toile.db");
-  EXPECT_TRUE(database);
-  return std::move(*database);
 }
 
 inline store::AssetRow named(const std::string& kind, const std::string& name) {

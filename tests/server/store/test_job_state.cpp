@@ -35,6 +35,12 @@ TEST(JobState, TheListForSqlHoldsJustTheStatesThatAreNotFinal) {
   }
 }
 
+sqlite::SqlDatabase database_in(const TemporaryFolder& folder) {
+  Result<sqlite::SqlDatabase> database = sqlite::SqlDatabase::open(folder.path() + "/toile.db");
+  EXPECT_TRUE(database);
+  return std::move(*database);
+}
+
 TEST(JobState, TheListForSqlReadsAsInTheIndexOfUnfinishedJobs) {
   const TemporaryFolder folder;
   sqlite::SqlDatabase database = database_in(folder);

@@ -9,6 +9,12 @@
 namespace toile {
 namespace {
 
+sqlite::SqlDatabase database_in(const TemporaryFolder& folder) {
+  Result<sqlite::SqlDatabase> database = sqlite::SqlDatabase::open(folder.path() + "/toile.db");
+  EXPECT_TRUE(database);
+  return std::move(*database);
+}
+
 std::int64_t number(sqlite::SqlDatabase& database, const char* sql) {
   Result<sqlite::SqlStatement> statement = database.prepare(sql);
   if (!statement || !statement->step()) return -1;

@@ -47,7 +47,7 @@ const geometry::TriangleMesh& ann() {
   return mesh;
 }
 
-Result<drape::DrapeInput> resolved_dressed(const std::string& text) {
+Result<drape::DrapeInput> resolved(const std::string& text) {
   const project::Project project = TRY(project::parse_project(text));
   const geometry::TriangleMesh table{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
                                      {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
@@ -60,11 +60,11 @@ Result<drape::DrapeInput> resolved_dressed(const std::string& text) {
   return resolve::resolve_project(project, files);
 }
 
-drape::DrapeInput dressed() { return resolved_dressed(kDressed).value(); }
+drape::DrapeInput dressed() { return resolved(kDressed).value(); }
 
-void expect_dressed_refused(const std::string& from, const std::string& to, const char* code,
-                            const std::string& where) {
-  const Result<drape::DrapeInput> input = resolved_dressed(changed(kDressed, from, to));
+void expect_refused(const std::string& from, const std::string& to, const char* code,
+                    const std::string& where) {
+  const Result<drape::DrapeInput> input = resolved(changed(kDressed, from, to));
   ASSERT_FALSE(input) << to;
   EXPECT_EQ(input.error().code, code) << to_string(input.error());
   EXPECT_TRUE(input.error().where.starts_with(where)) << to_string(input.error());
@@ -117,7 +117,7 @@ TEST(ProjectBodyPlaces, ASheetToldByABoxIsTheSameSheet) {
     EXPECT_EQ(told->side, "back");
     Result<project::Project> project = project::parse_project(kDressed);
     project->pieces[0].placement = {.on_box = told};
-    const auto input = resolved_dressed(project::write_project(*project));
+    const auto input = resolved(project::write_project(*project));
     ASSERT_TRUE(input) << to_string(input.error());
     const std::vector<Vec2> flat{{0, 0}, {0.3, 0}, {0.3, 0.4}};
     const std::vector<Vec3> p = sewing::place(flat, sheet), q = sewing::place(flat, input->placements[0]);
@@ -127,8 +127,7 @@ TEST(ProjectBodyPlaces, ASheetToldByABoxIsTheSameSheet) {
 }
 
 TEST(ProjectBodyPlaces, PlacesFollowTheBodyWhereItStands) {
-  const auto moved =
-      resolved_dressed(changed(kDressed, "\"skin_offset_mm\": 1.5", "\"translation\": [1, 0, 2]"));
+  const auto moved = resolved(changed(kDressed, "\"skin_offset_mm\": 1.5", "\"translation\": [1, 0, 2]"));
   ASSERT_TRUE(moved) << to_string(moved.error());
   const Vec3 by = std::get<sewing::RigidPlacement>(moved->placements[0]).translation -
                   std::get<sewing::RigidPlacement>(dressed().placements[0]).translation;
@@ -137,7 +136,7 @@ TEST(ProjectBodyPlaces, PlacesFollowTheBodyWhereItStands) {
 
 TEST(ProjectBodyPlaces, FlippedAPieceTurnsItsRightSideToTheBodyAndKeepsItsMiddle) {
   const auto flipped =
-      resolved_dressed(changed(kDressed, "\"at\": [0.02, 0.05]", "\"at\": [0.02, 0.05], \"flipped\": true"));
+      resolved(changed(kDressed, "\"at\": [0.02, 0.05]", "\"at\": [0.02, 0.05], \"flipped\": true"));
   ASSERT_TRUE(flipped) << to_string(flipped.error());
   const std::vector<Vec2> flat{{0.15, 0.2}, {0.3, 0.2}, {0.15, 0.4}};
   const std::vector<Vec3> p = sewing::place(flat, flipped->placements[0]),
@@ -169,46 +168,42 @@ TEST(ProjectBodyPlaces, AttachmentsLeadToLinesLandmarksAndPlaces) {
 }
 
 TEST(ProjectBodyPlaces, RefuseWhatTheBodyHasNotAndSayWhatThereIs) {
-  expect_dressed_refused("\"line\": \"waist\"", "\"line\": \"wiast\"", "project.unknown_line",
-                         "/attachments/0/to/line");
-  expect_dressed_refused("\"landmark\": \"pocket\"", "\"landmark\": \"pokcet\"", "project.unknown_landmark",
-                         "/attachments/1/to/landmark");
-  expect_dressed_refused("\"line\": \"waist\", \"up_mm\": -20", "\"line\": \"waist\", \"up_mm\": 950",
-                         "body.no_line", "/attachments/0/to/line");
-  expect_dressed_refused("{\"line\": \"waist\"", "{\"body\": \"bob\", \"line\": \"waist\"",
-                         "project.unknown_body", "/attachments/0/to/body");
-  expect_dressed_refused("{\"line\": \"waist\"", "{\"body\": \"table\", \"line\": \"waist\"",
-                         "body.not_standing", "/attachments/0/to");
-  expect_dressed_refused("\"part\": \"hips\"", "\"body\": \"table\", \"part\": \"hips\"", "body.not_standing",
-                         "/pieces/0/placement/on_box");
-  expect_dressed_refused("\"part\": \"hips\"", "\"part\": \"tail\"", "project.unknown_value",
-                         "/pieces/0/placement/on_box/part");
-  expect_dressed_refused("\"triangle\": 40", "\"triangle\": 4000000", "landmark.no_triangle",
-                         "/bodies/1/landmarks");
-  expect_dressed_refused("\"near\": \"hip_front\"", "\"near\": \"hip_frnot\"", "landmark.unknown",
-                         "/bodies/1/landmarks");
-  const auto slip = resolved_dressed(changed(kDressed, "\"line\": \"waist\"", "\"line\": \"wiast\""));
+  expect_refused("\"line\": \"waist\"", "\"line\": \"wiast\"", "project.unknown_line",
+                 "/attachments/0/to/line");
+  expect_refused("\"landmark\": \"pocket\"", "\"landmark\": \"pokcet\"", "project.unknown_landmark",
+                 "/attachments/1/to/landmark");
+  expect_refused("\"line\": \"waist\", \"up_mm\": -20", "\"line\": \"waist\", \"up_mm\": 950", "body.no_line",
+                 "/attachments/0/to/line");
+  expect_refused("{\"line\": \"waist\"", "{\"body\": \"bob\", \"line\": \"waist\"", "project.unknown_body",
+                 "/attachments/0/to/body");
+  expect_refused("{\"line\": \"waist\"", "{\"body\": \"table\", \"line\": \"waist\"", "body.not_standing",
+                 "/attachments/0/to");
+  expect_refused("\"part\": \"hips\"", "\"body\": \"table\", \"part\": \"hips\"", "body.not_standing",
+                 "/pieces/0/placement/on_box");
+  expect_refused("\"part\": \"hips\"", "\"part\": \"tail\"", "project.unknown_value",
+                 "/pieces/0/placement/on_box/part");
+  expect_refused("\"triangle\": 40", "\"triangle\": 4000000", "landmark.no_triangle", "/bodies/1/landmarks");
+  expect_refused("\"near\": \"hip_front\"", "\"near\": \"hip_frnot\"", "landmark.unknown",
+                 "/bodies/1/landmarks");
+  const auto slip = resolved(changed(kDressed, "\"line\": \"waist\"", "\"line\": \"wiast\""));
   EXPECT_NE(slip.error().message.find("did you mean \"waist\"?"), std::string::npos) << slip.error().message;
 }
 
 TEST(ProjectBodyPlaces, RefuseAttachmentsThatSayTwoThings) {
-  expect_dressed_refused("\"edges\": [\"top\"], \"to\"", "\"edges\": [\"top\"], \"hold\": \"place\", \"to\"",
-                         "project.two_ways", "/attachments/0/hold");
-  expect_dressed_refused("\"edges\": [\"top\"], \"to\"", "\"to\"", "project.attached_whole",
-                         "/attachments/0");
-  expect_dressed_refused("{\"line\": \"waist\", \"up_mm\": -20}",
-                         "{\"landmark\": \"crotch\", \"up_mm\": -20}", "project.two_ways",
-                         "/attachments/0/to/up_mm");
-  expect_dressed_refused("{\"line\": \"waist\", \"up_mm\": -20}",
-                         "{\"landmark\": \"crotch\", \"line\": \"waist\"}", "project.two_ways",
-                         "/attachments/0/to");
-  expect_dressed_refused("{\"line\": \"waist\", \"up_mm\": -20}", "{\"up_mm\": -20}", "project.missing_key",
-                         "/attachments/0/to");
+  expect_refused("\"edges\": [\"top\"], \"to\"", "\"edges\": [\"top\"], \"hold\": \"place\", \"to\"",
+                 "project.two_ways", "/attachments/0/hold");
+  expect_refused("\"edges\": [\"top\"], \"to\"", "\"to\"", "project.attached_whole", "/attachments/0");
+  expect_refused("{\"line\": \"waist\", \"up_mm\": -20}", "{\"landmark\": \"crotch\", \"up_mm\": -20}",
+                 "project.two_ways", "/attachments/0/to/up_mm");
+  expect_refused("{\"line\": \"waist\", \"up_mm\": -20}", "{\"landmark\": \"crotch\", \"line\": \"waist\"}",
+                 "project.two_ways", "/attachments/0/to");
+  expect_refused("{\"line\": \"waist\", \"up_mm\": -20}", "{\"up_mm\": -20}", "project.missing_key",
+                 "/attachments/0/to");
 }
 
 TEST(ProjectBodyPlaces, ALandmarkOnAMannequinMustBeToldFromAnother) {
   const auto input =
-      resolved_dressed(changed(kDressed, "\"file\": \"ann.obj\"", "\"mannequin\": {\"triangles\": 2000}"));
+      resolved(changed(kDressed, "\"file\": \"ann.obj\"", "\"mannequin\": {\"triangles\": 2000}"));
   ASSERT_FALSE(input);
   EXPECT_EQ(input.error().code, "landmark.of_mannequin");
   EXPECT_EQ(input.error().where, "/bodies/1/landmarks/0/triangle");
