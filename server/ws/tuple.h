@@ -6,7 +6,8 @@
 
 namespace toile::ws {
 
-/// With it failures come as values: const auto [failure, size] = co_await line.async_read_some(buffer, kTuple).
+/// With it failures come as values: const auto [failure, size] = co_await line.async_read_some(buffer,
+/// kTuple).
 inline constexpr auto kTuple = boost::asio::as_tuple(boost::asio::use_awaitable);
 
 }  // namespace toile::ws
