@@ -8,6 +8,17 @@ function(toile_precompiled NAME HEADER)
   target_precompile_headers(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/cmake/precompiled/${HEADER})
 endfunction()
 
+# The sources of a target are compiled some at a time, each such batch as one: most of a source's time goes to the
+# standard library's templates, which a batch reads and instantiates once. Batches are alike in size, so that no core
+# waits for a last long one. Names without linkage must differ within a target. CMAKE_UNITY_BUILD=OFF compiles each alone.
+set(TOILE_BATCH 10 CACHE STRING "Sources that are compiled as one, at most")
+function(toile_batches TARGET)
+  list(LENGTH ARGN COUNT)
+  math(EXPR BATCHES "(${COUNT} + ${TOILE_BATCH} - 1) / ${TOILE_BATCH}")
+  math(EXPR SIZE "(${COUNT} + ${BATCHES} - 1) / ${BATCHES}")
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_BATCH_SIZE ${SIZE})
+endfunction()
+
 # toile_room(core/mesh USES pattern geometry): a static library named after the folder (proto/cpp becomes
 # proto_cpp) from all its .cpp files, and those of the folders within it that PARTS names; other folders within
 # it are rooms of their own. A room of headers only becomes an interface. A room of
@@ -25,6 +36,7 @@ function(toile_room FOLDER)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${PLACES})
   if(SOURCES)
     add_library(${NAME} STATIC ${SOURCES})
+    toile_batches(${NAME} ${SOURCES})
     target_include_directories(${NAME} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
     target_link_libraries(${NAME} PUBLIC ${ROOM_USES})
     if(FOLDER IN_LIST TOILE_NETWORK_ROOMS)

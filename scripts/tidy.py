@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over the program's sources, each only when something that it reads has changed.
 
-    scripts/tidy.py build/release              all of core, proto/cpp and server: about an hour of a core
-    scripts/tidy.py build/release core/mesh    the sources below a folder
-    scripts/tidy.py build/release --last 16    the sixteen that changed last
+    cmake --preset tidy                     how each source is compiled by itself; nothing is built
+    scripts/tidy.py build/tidy              all of core, proto/cpp and server: about an hour of a core
+    scripts/tidy.py build/tidy core/mesh    the sources below a folder
+    scripts/tidy.py build/tidy --last 16    the sixteen that changed last
 
-A source that came out clean leaves a stamp under BUILD/tidy with a hash of itself, of every project header
-that it includes (as ninja knows them) and of the settings, so that the second run is quick. Ends with code 1
+A source that came out clean leaves a stamp under BUILD/stamps with a hash of itself, of every project header
+that it includes, directly or by others, and of the settings, so that the second run is quick. Ends with code 1
 when there are findings.
 """
 import argparse
@@ -24,24 +25,26 @@ ROOT = Path(__file__).resolve().parent.parent
 ROOMS = ("core/", "proto/cpp/", "server/")
 
 
-def own_headers(build):
-    """Object file → project files that it was made from, as ninja's log of dependencies has them."""
-    found, current = {}, None
-    listing = subprocess.run(["ninja", "-C", str(build), "-t", "deps"], capture_output=True, text=True, check=True)
-    for line in listing.stdout.splitlines():
-        if line and not line.startswith(" "):
-            current = found.setdefault(line.split(":")[0], [])
-        elif line.strip():
-            path = Path(os.path.normpath(build / line.strip()))
-            if path.is_relative_to(ROOT) and not path.is_relative_to(build):
-                current.append(path)
-    return found
+class Headers:
+    """Which project files a source reads. They are included by their path from the root (tests/rules)."""
 
+    def __init__(self):
+        self.direct = {}  # file → what it names
 
-def plain_command(command):
-    """Without ccache and precompiled headers: those are GCC's, and they would hide a missing include."""
-    command = re.sub(r"^\S*ccache ", "", command)
-    return re.sub(r" -(?:Winvalid-pch|fpch-preprocess|include \S*cmake_pch\.hxx)(?= )", "", command)
+    def named_in(self, path):
+        if path not in self.direct:
+            text = path.read_text() if path.exists() else ""
+            self.direct[path] = [ROOT / name for name in re.findall(r'^#include "(.+)"', text, re.MULTILINE)]
+        return self.direct[path]
+
+    def of(self, name):
+        found, due = set(), [ROOT / name]
+        while due:
+            for path in self.named_in(due.pop()):
+                if path not in found:
+                    found.add(path)
+                    due.append(path)
+        return found
 
 
 def sources(build, folders):
@@ -53,7 +56,6 @@ def sources(build, folders):
             continue
         name = path.relative_to(ROOT).as_posix()
         if name.startswith(ROOMS) and (not folders or name.startswith(tuple(folders))):
-            entry["command"] = plain_command(entry["command"])
             chosen[name] = entry
     return chosen
 
@@ -75,8 +77,7 @@ def changed_last(chosen, headers, most):
     last = []
     for name in files_by_change():
         if name.startswith(ROOMS) and name.endswith(".h"):
-            users = [source for source, entry in chosen.items()
-                     if ROOT / name in headers.get(entry.get("output", ""), [])]
+            users = [source for source in chosen if ROOT / name in headers.of(source)]
             own = name[:-2] + ".cpp"
             name = own if own in users else min(users, default=name)
         if name in chosen and name not in last:
@@ -86,9 +87,9 @@ def changed_last(chosen, headers, most):
     return {name: chosen[name] for name in last}
 
 
-def stamp_of(name, entry, headers):
+def stamp_of(name, headers):
     digest = hashlib.sha256()
-    reads = {ROOT / ".clang-tidy", ROOT / name, *headers.get(entry.get("output", ""), [])}
+    reads = {ROOT / ".clang-tidy", ROOT / name, *headers.of(name)}
     for path in sorted(reads):
         digest.update(path.read_bytes() if path.exists() else b"")
     return f"{name.replace('/', '_')}.{digest.hexdigest()[:20]}"
@@ -113,12 +114,12 @@ def main():
     asked.add_argument("folders", nargs="*")
     asked.add_argument("--last", type=int, metavar="COUNT")
     build, folders, last = vars(asked.parse_args()).values()
-    kept = build / "tidy"
+    kept = build / "stamps"
     kept.mkdir(exist_ok=True)
-    chosen, headers = sources(build, folders), own_headers(build)
+    chosen, headers = sources(build, folders), Headers()
     if last is not None:
         chosen = changed_last(chosen, headers, last)
-    stamps = {name: kept / stamp_of(name, entry, headers) for name, entry in chosen.items()}
+    stamps = {name: kept / stamp_of(name, headers) for name in chosen}
     due = [name for name in sorted(chosen) if not stamps[name].exists()]
     faulty = 0
     with tempfile.TemporaryDirectory() as database, ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:

@@ -21,8 +21,8 @@ class Skin {
 
   /// Looks within a small distance first: most cloth lies near to who wears it.
   double distance(Vec3 p, double most) const {
-    constexpr double kNear = 0.01, kGrows = 4;
-    for (double within = std::min(kNear, most);; within = std::min(kGrows * within, most)) {
+    constexpr double kNearSkin = 0.01, kGrows = 4;
+    for (double within = std::min(kNearSkin, most);; within = std::min(kGrows * within, most)) {
       const double found = nearest_within(p, within);
       if (found < within || within >= most) return found;
     }

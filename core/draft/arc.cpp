@@ -8,8 +8,6 @@
 namespace toile::draft {
 namespace {
 
-constexpr double kMostPerCurve = kPi / 8;  // one cubic's share of an arc: off by 1e-7 of the radius
-
 Vec2 on_circle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 }  // namespace

@@ -3,9 +3,13 @@
 
 #include <string>
 
+#include "core/base/units.h"
 #include "core/draft/outline.h"
 
 namespace toile::draft {
+
+/// One cubic's share of an arc: off by 1e-7 of the radius.
+inline constexpr double kMostPerCurve = kPi / 8;
 
 /// An edge along the circle about `centre`, from the angle `from` to `to` (radians, counter-clockwise where
 /// it rises). REQUIRES that the outline stands where the arc begins.

@@ -4,12 +4,12 @@
 #include <string>
 
 #include "core/base/units.h"
+#include "core/draft/outline.h"
 
 namespace toile::draft {
 namespace {
 
-constexpr double kApart = 0.03;  // m that pieces begin outside of where they come to lie
-constexpr Vec3 kLying{-90, 0, 0};
+constexpr double kOutside = 0.03;  // m that pieces begin outside of where they come to lie
 
 /// The cover as a solid: the chair, `ease` larger all around. Millimetres; z as in space.
 struct CoverSize {
@@ -35,14 +35,6 @@ CoverSize cover_of(const ChairCoverStyle& s, const ChairSize& c) {
   out.lean = c.rake * out.back_height();
   out.hem = c.seat - s.above_floor;
   return out;
-}
-
-/// Its lower edge's middle at the origin.
-pattern::Panel rectangle(const std::string& id, double width, double height) {
-  Outline out({-width / 2, 0});
-  out.line("bottom", {width / 2, 0}).line("right", {width / 2, height});
-  out.line("top", {-width / 2, height}).line("left", {-width / 2, 0});
-  return piece(id, out);
 }
 
 /// The boxing of the side at +x, seen from outside: its front's foot at the origin, the chair's back to the
@@ -72,7 +64,7 @@ pattern::Panel side_skirt(const std::string& id, const CoverSize& c, double flar
   return piece(id, out);
 }
 
-void sew_side(Garment& g, const std::string& side) {
+void sew_chair_side(Garment& g, const std::string& side) {
   // Of pieces that face backwards the other edge lies there.
   const std::string behind = side == "right" ? "left" : "right";
   const std::string boxing = side + " boxing", skirt = side + " skirt";
@@ -89,7 +81,7 @@ void sew_side(Garment& g, const std::string& side) {
 void place(Garment& g, const CoverSize& c) {
   const double tilt = degrees_from_radians(std::atan2(c.lean, c.back_height()));
   const auto at = [](double x, double y, double z) { return Vec3{x, y, z} * 1e-3; };
-  const Vec3 up{0, kApart, 0}, out{kApart, 0, 0}, near{0, 0, kApart};
+  const Vec3 up{0, kOutside, 0}, out{kOutside, 0, 0}, near{0, 0, kOutside};
   g.places = {{"seat", at(0, c.seat, c.front) + up, kLying},
               {"inside back", at(0, c.seat, c.inside) + near + up * 2, {-tilt, 0, 0}},
               {"outside back", at(0, c.seat, c.behind) - near + up, {tilt, 180, 0}},
@@ -126,7 +118,7 @@ Garment draft_chair_cover(const ChairCoverStyle& s, const ChairSize& chair) {
   sew(g, "back_waist", {{"outside back", "bottom"}}, {{"back skirt", "top"}});
   sew(g, "top_inside", {{"inside back", "top"}}, {{"top boxing", "bottom"}});
   sew(g, "top_outside", {{"outside back", "top"}}, {{"top boxing", "top"}});
-  for (const std::string side : {"right", "left"}) sew_side(g, side);
+  for (const std::string side : {"right", "left"}) sew_chair_side(g, side);
   place(g, c);
   g.solids = {{"chair", chair_solid(chair)}};
   g.particle_distance_mm = 17;

@@ -10,12 +10,12 @@
 namespace toile::draft {
 namespace {
 
-constexpr double kSideShare = 0.28;  // of what bust and waist differ by, taken in at the side
+constexpr double kTakenInAtSide = 0.28;  // of what bust and waist differ by, taken in at the side
 
 /// The waist's dart, square to the waist below the bust point or the shoulder blade.
 Dart waist_dart(const HalfBodice& h, bool back, double scale) {
   Dart dart;
-  dart.width = std::max(0.0, h.bust - h.waist) * (1 - kSideShare);
+  dart.width = std::max(0.0, h.bust - h.waist) * (1 - kTakenInAtSide);
   dart.at = back ? h.bust * 0.40 : h.bust_point.x * 0.95;
   dart.length = back ? h.underarm - 30 * scale : h.bust_point.y - 20 * scale;
   return dart;

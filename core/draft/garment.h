@@ -57,6 +57,9 @@ struct PiecePlace {
   Vec3 translation, rotation;
 };
 
+/// The rotation of a piece that lies, its right side up.
+inline constexpr Vec3 kLying{-90, 0, 0};
+
 /// Upright, bent to a part of a cylinder about an upright axis, its right side outwards.
 struct BentPlace {
   PiecePoint anchor;  ///< comes to the front of the cylinder

@@ -5,23 +5,15 @@
 #include "core/base/units.h"
 #include "core/draft/arc.h"
 #include "core/draft/lathe.h"
+#include "core/draft/outline.h"
 
 namespace toile::draft {
 namespace {
-
-constexpr Vec3 kLying{-90, 0, 0};  // a piece's right side up
 
 pattern::Panel trapezoid(const std::string& id, double top, double bottom, double height) {
   Outline out({-bottom / 2, 0});
   out.line("bottom", {bottom / 2, 0}).line("right", {top / 2, height});
   out.line("top", {-top / 2, height}).line("left", {-bottom / 2, 0});
-  return piece(id, out);
-}
-
-pattern::Panel rectangle(const std::string& id, double width, double height) {
-  Outline out({-width / 2, 0});
-  out.line("bottom", {width / 2, 0}).line("right", {width / 2, height});
-  out.line("top", {-width / 2, height}).line("left", {-width / 2, 0});
   return piece(id, out);
 }
 

@@ -106,7 +106,7 @@ std::vector<EdgeName> series(bool turned, std::vector<EdgeName> edges) {
   return edges;
 }
 
-void sew_side(Garment& g, const std::string& side) {
+void sew_jacket_side(Garment& g, const std::string& side) {
   const bool right = side == "right";
   const std::string front = side + " front", flank = side + " side front", back = side + " back";
   const std::string rear = side + " side back", top = side + " top sleeve", under = side + " under sleeve";
@@ -151,7 +151,7 @@ Garment draft_jacket(const Wearer& w, const JacketStyle& s) {
                       rear};
   add_sleeves(g, w, s);
   g.pattern.panels.push_back(collar_of("collar", lapel));
-  for (const std::string side : {"left", "right"}) sew_side(g, side);
+  for (const std::string side : {"left", "right"}) sew_jacket_side(g, side);
   sew(g, "front", {{"left front", "front"}}, {{"right front", "front"}});
   sew(g, "back", {{"left back", "middle"}}, {{"right back", "middle"}});
   sew(g, "collar", {{"collar", "neck"}}, {{"right back", "neck"}, {"left back", "neck"}});

@@ -11,9 +11,9 @@
 namespace toile::draft {
 namespace {
 
-constexpr double kApart = 40;       // mm between pieces of a layout
-constexpr double kNotchDepth = 5;   // mm
-constexpr double kTolerance = 0.1;  // mm, of the boxes by which pieces are laid out
+constexpr double kPiecesApart = 40;  // mm between pieces of a layout
+constexpr double kNotchDepth = 5;    // mm
+constexpr double kTolerance = 0.1;   // mm, of the boxes by which pieces are laid out
 
 Vec2 flip(Vec2 p) { return {-p.x, p.y}; }
 
@@ -111,6 +111,13 @@ pattern::Panel piece(const std::string& id, const Outline& outline) {
   return panel;
 }
 
+pattern::Panel rectangle(const std::string& id, double width, double height) {
+  Outline out({-width / 2, 0});
+  out.line("bottom", {width / 2, 0}).line("right", {width / 2, height});
+  out.line("top", {-width / 2, height}).line("left", {-width / 2, 0});
+  return piece(id, out);
+}
+
 pattern::Panel unfolded(const std::string& id, const Outline& half, const std::string& plus,
                         const std::string& minus) {
   const std::vector<pattern::PanelEdge>& edges = half.edges();
@@ -154,7 +161,7 @@ void lay_out(std::vector<pattern::Panel>& panels) {
     const Aabb2 box = bounding_box(pattern::flatten(panel.outline, kTolerance));
     const Vec2 by{x - box.low.x, -box.low.y};
     move_points(panel, [&](Vec2 p) { return p + by; });
-    x += box.size().x + kApart;
+    x += box.size().x + kPiecesApart;
   }
 }
 

@@ -38,6 +38,9 @@ class Outline {
 /// The piece that a closed outline is. REQUIRES that it ends where it began.
 pattern::Panel piece(const std::string& id, const Outline& outline);
 
+/// Edges bottom, right, top, left; the lower edge's middle at the origin.
+pattern::Panel rectangle(const std::string& id, double width, double height);
+
 /// The whole piece of its right half (x >= 0), which is drawn from the middle line's lower end around to its
 /// upper end. The first and the last edge go on across the middle under their own names; of the others those
 /// at x > 0 are called EDGE_plus by the name that `plus` is, their mirror images EDGE_minus. REQUIRES both

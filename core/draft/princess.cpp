@@ -6,10 +6,10 @@
 namespace toile::draft {
 namespace {
 
-constexpr double kSideShare = 0.33;   // of what is taken in at the waist, beside the middle's seam
-constexpr double kSeamsHip = 0.35;    // of what the hips are wider by, that the seam lets out
-constexpr double kBladeAside = 0.50;  // of the back's width, where the seam passes the blade
-constexpr double kBladeBelow = 0.20;  // of the armhole's depth, below the underarm
+constexpr double kBesideMiddle = 0.33;  // of what is taken in at the waist, beside the middle's seam
+constexpr double kSeamsHip = 0.35;      // of what the hips are wider by, that the seam lets out
+constexpr double kBladeAside = 0.50;    // of the back's width, where the seam passes the blade
+constexpr double kBladeBelow = 0.20;    // of the armhole's depth, below the underarm
 
 Vec2 about(Vec2 centre, double angle, Vec2 p) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -36,11 +36,11 @@ double middle_at_waist(const PrincessHalf& half) { return half.middle_in; }
 /// Taken in at the waist by the seam, and by the side; less than nothing where the waist is wider.
 double seam_in(const PrincessHalf& half) {
   const double all = half.block.bust - middle_at_waist(half) - half.waist;
-  return all > 0 ? all * (1 - kSideShare) : 0;
+  return all > 0 ? all * (1 - kBesideMiddle) : 0;
 }
 double side_x(const PrincessHalf& half) {
   const double all = half.block.bust - middle_at_waist(half) - half.waist;
-  return half.block.bust - (all > 0 ? all * kSideShare : all);
+  return half.block.bust - (all > 0 ? all * kBesideMiddle : all);
 }
 
 struct Level {

@@ -6,13 +6,13 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/draft/arc.h"
 #include "core/pattern/curve.h"
 
 namespace toile::draft {
 namespace {
 
-constexpr double kApart = 60;              // mm between pieces of the layout
-constexpr double kMostPerCurve = kPi / 8;  // one cubic's share of an arc: off by 1e-7 of the radius
+constexpr double kSkirtPiecesApart = 60;  // mm between pieces of the layout
 
 struct Check {
   const char* name;
@@ -156,13 +156,13 @@ double skirt_waist_radius(const SkirtMeasures& m) {
   return sector(m) > 0 ? half_waist(m) / sector(m) : std::numeric_limits<double>::infinity();
 }
 
-double skirt_middle(const SkirtMeasures& m, bool back) { return back ? m.hem / 2 + kApart : 0; }
+double skirt_middle(const SkirtMeasures& m, bool back) { return back ? m.hem / 2 + kSkirtPiecesApart : 0; }
 
 double skirt_band_bottom(const SkirtMeasures& m) {
   // Above the ends of the waist line, which curve upwards.
   const double s = std::sin(sector(m) / 4);
   const double rise = sector(m) > 1e-9 ? 2 * skirt_waist_radius(m) * s * s : 0;
-  return std::ceil(rise + kApart);
+  return std::ceil(rise + kSkirtPiecesApart);
 }
 
 Result<pattern::Pattern> draft_skirt(const SkirtMeasures& measures) {

@@ -17,7 +17,7 @@ constexpr double kSameEdge = 0.5;  // mm between the middles of an edge as draft
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
 /// An edge as the DXF reader names it, and as the pattern does.
-struct EdgeName {
+struct NamedEdge {
   std::string read, drafted;
 };
 
@@ -25,11 +25,11 @@ Vec2 middle_of(const pattern::PanelEdge& edge) {
   return pattern::point_at_length(edge, pattern::arc_length(edge) / 2);
 }
 
-Result<std::vector<EdgeName>> edge_names(const pattern::Panel& drafted, const dxf::DxfDrawing& drawing) {
+Result<std::vector<NamedEdge>> edge_names(const pattern::Panel& drafted, const dxf::DxfDrawing& drawing) {
   for (const dxf::DxfPiece& piece : drawing.pieces) {
     if (piece.name != drafted.id) continue;
     pattern::Panel read = TRY(dxf::panel_from_piece(piece));
-    std::vector<EdgeName> names;
+    std::vector<NamedEdge> names;
     for (const pattern::PanelEdge& r : read.outline.edges) {
       for (const pattern::PanelEdge& d : drafted.outline.edges) {
         if (length(middle_of(r) - middle_of(d)) < kSameEdge) names.push_back({r.id, d.id});
@@ -47,9 +47,9 @@ struct Wrap {
   double slope;
 };
 
-std::string piece_json(const pattern::Panel& panel, const std::vector<EdgeName>& names, const Wrap& w) {
+std::string piece_json(const pattern::Panel& panel, const std::vector<NamedEdge>& names, const Wrap& w) {
   std::string edges;
-  for (const EdgeName& n : names)
+  for (const NamedEdge& n : names)
     edges += (edges.empty() ? "" : ", ") + quoted(n.read) + ": " + quoted(n.drafted);
   return "    {\n      \"id\": " + quoted(panel.id) +
          ",\n      \"from\": {\"dxf\": \"skirt.dxf\", \"piece\": " + quoted(panel.id) +
@@ -140,7 +140,7 @@ Result<std::vector<SampleFile>> make_skirt_sample(const geometry::TriangleMesh& 
   const std::vector<Wrap> placed = wraps(body, settings);
   std::vector<std::string> pieces;
   for (size_t i = 0; i < pattern.panels.size(); ++i) {
-    std::vector<EdgeName> names = TRY(edge_names(pattern.panels[i], drawing));
+    std::vector<NamedEdge> names = TRY(edge_names(pattern.panels[i], drawing));
     pieces.push_back(piece_json(pattern.panels[i], names, placed[i]));
   }
   return std::vector<SampleFile>{{"skirt.dxf", dxf},

@@ -97,7 +97,7 @@ void solve(Leg& leg, double Leg::*member, double low, double high, double wanted
   }
 }
 
-double side_length(const Leg& leg) { return pattern::arc_length(side_seam(leg).edges()[0]); }
+double outseam_length(const Leg& leg) { return pattern::arc_length(side_seam(leg).edges()[0]); }
 
 struct Legs {
   Leg front, back;
@@ -129,9 +129,9 @@ Legs legs_of(const Wearer& w, const SlacksStyle& s) {
     leg->top = w.waist_height - s.above_floor * scale;
   }
   // What is sewn together is of one length: the back's crotch point sinks, its side rises.
-  const double inseam = inseam_length(front), side = side_length(front), level = back.crotch_level;
+  const double inseam = inseam_length(front), side = outseam_length(front), level = back.crotch_level;
   solve(back, &Leg::crotch_level, level - 60, level + 60, inseam, inseam_length);
-  solve(back, &Leg::side_up, -40, 40, side, side_length);
+  solve(back, &Leg::side_up, -40, 40, side, outseam_length);
   return {front, back, waist};
 }
 

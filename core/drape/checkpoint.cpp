@@ -15,7 +15,6 @@ constexpr std::string_view kMagic = "TOILECP\n";
 constexpr std::size_t kHashDigits = 32;
 constexpr std::size_t kHeader = kMagic.size() + sizeof(std::uint32_t) + kHashDigits;
 /// No drape gets there; beyond it exact crossings could not be counted.
-constexpr double kFarthest = 1e6;         // m
 constexpr int kMostSteps = 1 << 30;       // so that counting on cannot overflow
 constexpr double kLongest = 1e9;          // s
 constexpr double kLongestRamp = 1;        // s, that a phase may seem to have begun before the drape

@@ -6,8 +6,6 @@
 namespace toile::drape {
 namespace {
 
-constexpr double kFarthest = 1e6;  // m; no drape gets there
-
 template <typename Archive>
 void contact_value(Archive& a, collision::Contact& c) {
   a.value(c.count);

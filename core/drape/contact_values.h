@@ -9,6 +9,9 @@
 
 namespace toile::drape {
 
+/// m; no drape gets there.
+inline constexpr double kFarthest = 1e6;
+
 void contact_values(StateWriter& out, collision::Contacts& contacts);
 void contact_values(StateReader& in, collision::Contacts& contacts);
 

@@ -16,8 +16,8 @@ namespace toile::drape {
 namespace {
 
 /// Garments are put on by a mesh of this particle distance where theirs is finer: a shape needs no more.
-constexpr double kCoarse = 0.02;   // m
-constexpr int kMostCoarse = 6000;  // particles, about
+constexpr double kLeastCoarse = 0.02;  // m
+constexpr int kMostCoarse = 6000;      // particles, about
 /// Where no way of coarser cloth is certified, its ways are tried by that mesh as well, if it is so much
 /// finer: large triangles span folds and limbs that they have to get out of.
 constexpr double kMuchFiner = 0.8;  // of the cloth's own particle distance
@@ -44,7 +44,7 @@ double coarse_distance(const mesh::PanelMeshes& meshes) {
     for (const Tri& t : panel.triangles)
       area += 0.5 * std::abs(cross(panel.rest[t[1]] - panel.rest[t[0]], panel.rest[t[2]] - panel.rest[t[0]]));
   constexpr double kPerVertex = 0.866;  // of the squared distance, where triangles are even
-  return std::max(kCoarse, std::sqrt(area / (kPerVertex * kMostCoarse)));
+  return std::max(kLeastCoarse, std::sqrt(area / (kPerVertex * kMostCoarse)));
 }
 
 std::optional<sewing::Assembly> coarse_assembly(const DrapeInput& input,

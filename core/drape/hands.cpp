@@ -23,13 +23,14 @@ constexpr double kPinStiffness = 2e4, kPinForce = 50;  // N/m, N
 /// Of the patch that is held, in the flat.
 constexpr double kFingers = 0.025;  // m
 
-constexpr double kFarthest = 100;       // m
+constexpr double kFarthestHand = 100;   // m
 constexpr double kSumTolerance = 1e-6;  // of the shares of a point
 
 Error refused(const char* code, std::string message) { return {code, std::move(message), ""}; }
 
 bool is_place(Vec3 p) {
-  return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest && std::abs(p.z) <= kFarthest;  // NaN: no
+  return std::abs(p.x) <= kFarthestHand && std::abs(p.y) <= kFarthestHand &&
+         std::abs(p.z) <= kFarthestHand;  // NaN: no
 }
 
 bool is_point(const TouchedPoint& at, const sewing::GarmentMesh& garment) {

@@ -14,9 +14,9 @@ namespace toile::drape {
 namespace {
 
 /// Seams that do not close in their time are waited for so long before gravity comes.
-constexpr double kStallTime = 0.5;  // s
+constexpr double kPaperStallTime = 0.5;  // s
 /// Cloth counts as at rest at the soonest this long after gravity came: it was watched under it.
-constexpr double kSoonestRest = 0.2;  // s
+constexpr double kPaperSoonestRest = 0.2;  // s
 
 paper::Particles particles_of(const DrapeInput& input, const mesh::PanelMeshes& meshes,
                               const sewing::Assembly& assembly) {
@@ -117,7 +117,7 @@ void PaperSession::step() {
 
 void PaperSession::sew_on() {
   if (since() < input_.settings.sew_time) return;
-  if (seam_gap() > kSeamTolerance && since() < input_.settings.sew_time + kStallTime) return;
+  if (seam_gap() > kSeamTolerance && since() < input_.settings.sew_time + kPaperStallTime) return;
   phase_ = Phase::kDrape;
   phase_start_ = time();
   watch_.restart(cloth_.positions());
@@ -144,7 +144,7 @@ bool PaperSession::release_in_time() {
 void PaperSession::settle_or_stop() {
   const bool holding = release_in_time();
   const bool rests =
-      input_.settings.until_settled && !holding && since() >= kSoonestRest && watch_.settled(rate());
+      input_.settings.until_settled && !holding && since() >= kPaperSoonestRest && watch_.settled(rate());
   if (rests) {
     end(seam_gap() > kSeamTolerance ? Stop::kOpenSeam : Stop::kSettled);
   } else if (time() >= input_.settings.max_time) {

@@ -16,7 +16,7 @@
 namespace toile::drape {
 namespace {
 
-constexpr double kCoarse = 0.03;  // m; enough to tell how many borders a part has
+constexpr double kEnoughForBorders = 0.03;  // m; enough to tell how many borders a part has
 
 /// Whether all panels hang together by seams, without looking at any mesh.
 bool all_sewn(const pattern::Pattern& pattern) {
@@ -157,7 +157,7 @@ DrapeInput worn_part(DrapeInput input) {
   if (!input.settings.dress || pattern.seams.empty() || is_layered(pattern) || all_sewn(pattern))
     return input;
   if (!dressing::find_person(input.bodies)) return input;
-  const double distance = std::max(kCoarse, input.settings.particle_distance);
+  const double distance = std::max(kEnoughForBorders, input.settings.particle_distance);
   const auto meshes = mesh::make_panel_meshes(pattern, distance, {});
   if (!meshes) return input;  // the drape will say why
   const std::vector<Index> worn = worn_panels(input, mesh::sewn_parts(*meshes));

@@ -10,10 +10,10 @@ namespace toile::dressing {
 
 namespace {
 
-constexpr int kMargin = 6;     // cells around the mesh
-constexpr double kNear = 1.5;  // cells, within which distances are those to the triangles
-constexpr int kSmoothing = 4;  // passes over the thickness
-constexpr double kFar = 1e3;   // m
+constexpr int kMarginCells = 6;      // cells around the mesh
+constexpr double kNear = 1.5;        // cells, within which distances are those to the triangles
+constexpr int kThicknessPasses = 4;  // passes over the thickness
+constexpr double kFar = 1e3;         // m
 constexpr std::size_t kOwnAxis[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};  // along it, and the two across
 
 double component(Vec3 p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
@@ -36,7 +36,7 @@ int passage(const std::array<Vec3, 3>& t, std::size_t axis, double u, double v, 
 DistanceField::DistanceField(const geometry::TriangleMesh& mesh, double cell) : cell_(cell) {
   for (const Vec3& p : mesh.vertices) box_.add(p);
   if (box_.empty()) box_.add(Vec3{});
-  box_ = box_.grown(kMargin * cell_);
+  box_ = box_.grown(kMarginCells * cell_);
   const Vec3 size = box_.size();
   for (std::size_t k = 0; k < 3; ++k) size_[k] = static_cast<int>(std::ceil(component(size, k) / cell_)) + 1;
   const std::size_t count = at(size_[0] - 1, size_[1] - 1, size_[2] - 1) + 1;
@@ -45,7 +45,7 @@ DistanceField::DistanceField(const geometry::TriangleMesh& mesh, double cell) : 
   sweep();
   find_inside(mesh);
   find_thickness();
-  smooth_thickness(kSmoothing);
+  smooth_thickness(kThicknessPasses);
 }
 
 /// Beside the surface: to the nearest triangle.

@@ -7,7 +7,7 @@ namespace toile::dressing {
 namespace {
 
 constexpr double kMittenRoom = 8e-3;  // m
-constexpr int kSteps = 3;             // towards a place with clearance
+constexpr int kStepsToClear = 3;      // towards a place with clearance
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Vec3 SlimFigure::above_floor(Vec3 p) const { return {p.x, std::max(p.y, floor + 
 
 Vec3 SlimFigure::moved_out(Vec3 p, double most) const {
   double left = most;
-  for (int i = 0; i < kSteps && left > 0; ++i) {
+  for (int i = 0; i < kStepsToClear && left > 0; ++i) {
     const double d = clearance(p);
     if (d >= 0) break;
     const double way = std::min(-d, left);

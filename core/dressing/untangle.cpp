@@ -10,13 +10,13 @@ namespace toile::dressing {
 
 namespace {
 
-constexpr double kStep = 0.08;      // of the mean edge, by which a crossing moves in a pass
-constexpr double kMost = 0.25;      // of the mean edge, that a vertex moves in a pass
-constexpr double kSteepest = 3;     // where an edge runs nearly along the face that it crosses
-constexpr double kSmoothing = 0.3;  // of the way to the neighbours' mean
-constexpr int kPatience = 40;       // passes in which a tangle must become smaller,
-constexpr double kProgress = 0.9;   // to this share at most, or it is left
-constexpr double kOut = 1.5e-3;     // m, that what crosses the body moves outwards in a pass
+constexpr double kStep = 0.08;     // of the mean edge, by which a crossing moves in a pass
+constexpr double kMost = 0.25;     // of the mean edge, that a vertex moves in a pass
+constexpr double kSteepest = 3;    // where an edge runs nearly along the face that it crosses
+constexpr double kToMean = 0.3;    // of the way to the neighbours' mean
+constexpr int kPatience = 40;      // passes in which a tangle must become smaller,
+constexpr double kProgress = 0.9;  // to this share at most, or it is left
+constexpr double kOut = 1.5e-3;    // m, that what crosses the body moves outwards in a pass
 
 /// The neighbours of each vertex, once for each triangle that they share.
 std::vector<std::vector<Index>> neighbours_of(const collision::Surface& cloth) {
@@ -132,7 +132,7 @@ class Untangler {
       Vec3 mean;
       for (const Index w : around_[v]) mean += x_[w];
       mean = around_[v].empty() ? x_[v] : mean * (1.0 / static_cast<double>(around_[v].size()));
-      moved.push_back(x_[v] + (mean - x_[v]) * kSmoothing);
+      moved.push_back(x_[v] + (mean - x_[v]) * kToMean);
     }
     std::size_t i = 0;
     for (const Index v : vertices) x_[v] = moved[i++];

@@ -6,8 +6,8 @@ namespace toile::dressing {
 
 namespace {
 
-constexpr double kCell = 0.01;    // m, of the distance field
-constexpr double kMargin = 4e-3;  // m off the skin
+constexpr double kCell = 0.01;     // m, of the distance field
+constexpr double kOffSkin = 4e-3;  // m off the skin
 
 }  // namespace
 
@@ -19,6 +19,6 @@ Wearer::Wearer(const Person& person)
       obstacle_(collision::make_obstacle(person.body->mesh.vertices, person.body->mesh.triangles,
                                          person.body->friction, person.body->skin_offset)),
       skeleton_(skeleton_of(figure_)),
-      margin_(std::max(kMargin, 2 * person.body->skin_offset)) {}
+      margin_(std::max(kOffSkin, 2 * person.body->skin_offset)) {}
 
 }  // namespace toile::dressing

@@ -14,7 +14,7 @@
 namespace toile::exports {
 namespace {
 
-using nlohmann::json;
+using GltfJson = nlohmann::json;
 
 // Numbers of the glTF 2.0 specification.
 constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
@@ -50,7 +50,7 @@ class GltfBuffer {
   int add_positions(const std::vector<Vec3>& values) {
     const int accessor = add_vectors(values);
     // The specification wants the bounds of positions, as they are stored.
-    json low = json::array(), high = json::array();
+    GltfJson low = GltfJson::array(), high = GltfJson::array();
     for (const auto component : {&Vec3::x, &Vec3::y, &Vec3::z}) {
       const auto [least, most] =
           std::minmax_element(values.begin(), values.end(),
@@ -105,8 +105,8 @@ class GltfBuffer {
   }
 
   const std::string& bytes() const { return bytes_; }
-  const json& views() const { return views_; }
-  const json& accessors() const { return accessors_; }
+  const GltfJson& views() const { return views_; }
+  const GltfJson& accessors() const { return accessors_; }
 
  private:
   int add_accessor(std::size_t begin, int target, int component, const char* type, std::size_t count) {
@@ -118,7 +118,7 @@ class GltfBuffer {
   }
 
   std::string bytes_;  // all components have four bytes and images are filled up: every view starts aligned
-  json views_ = json::array(), accessors_ = json::array();
+  GltfJson views_ = GltfJson::array(), accessors_ = GltfJson::array();
 };
 
 /// Finite also as the float that is written.
@@ -257,7 +257,7 @@ void append_bodies(const GlbModel& model, std::vector<Part>& parts) {
   }
 }
 
-json material(const std::string& name, const double* colour, double roughness, bool double_sided) {
+GltfJson material(const std::string& name, const double* colour, double roughness, bool double_sided) {
   const auto part = [&](int i) { return std::clamp(colour[i], 0.0, 1.0); };
   return {{"name", name},
           {"doubleSided", double_sided},
@@ -267,8 +267,8 @@ json material(const std::string& name, const double* colour, double roughness, b
             {"roughnessFactor", roughness}}}};
 }
 
-json materials(const GlbModel& model, const GlbLooks& looks) {
-  json all = json::array();
+GltfJson materials(const GlbModel& model, const GlbLooks& looks) {
+  GltfJson all = GltfJson::array();
   const auto name_of = [](const material::Fabric& fabric) {
     return fabric.name.empty() ? fabric.id : fabric.name;
   };
@@ -278,7 +278,7 @@ json materials(const GlbModel& model, const GlbLooks& looks) {
   constexpr double kAsThePicture[] = {1, 1, 1};
   for (const GlbLook& look : looks.looks) {
     const std::string name = name_of(model.fabrics[look.fabric]) + ", " + looks.images[look.image].name;
-    json one = material(name, kAsThePicture, kClothRoughness, true);
+    GltfJson one = material(name, kAsThePicture, kClothRoughness, true);
     one["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", look.image}};
     all.push_back(std::move(one));
   }
@@ -286,43 +286,43 @@ json materials(const GlbModel& model, const GlbLooks& looks) {
 }
 
 /// Images, how they are repeated, and textures: one per image.
-void add_images(const GlbLooks& looks, GltfBuffer& buffer, json& doc) {
+void add_images(const GlbLooks& looks, GltfBuffer& buffer, GltfJson& doc) {
   if (looks.images.empty()) return;  // glTF allows no empty lists
-  json images = json::array(), textures = json::array();
+  GltfJson images = GltfJson::array(), textures = GltfJson::array();
   for (const GlbImage& image : looks.images) {
     textures.push_back({{"sampler", 0}, {"source", images.size()}});
     images.push_back({{"name", image.name},
                       {"mimeType", image.media_type},
                       {"bufferView", buffer.add_image(image.bytes)}});
   }
-  doc["samplers"] = json::array(
+  doc["samplers"] = GltfJson::array(
       {{{"wrapS", kRepeat}, {"wrapT", kRepeat}, {"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}}});
   doc["images"] = std::move(images);
   doc["textures"] = std::move(textures);
 }
 
 /// The document, whose parts' arrays go to `buffer`.
-json document(const GlbModel& model, const GlbLooks& looks, const std::vector<Part>& parts,
-              GltfBuffer& buffer) {
-  json meshes = json::array(), nodes = json::array(), roots = json::array();
+GltfJson document(const GlbModel& model, const GlbLooks& looks, const std::vector<Part>& parts,
+                  GltfBuffer& buffer) {
+  GltfJson meshes = GltfJson::array(), nodes = GltfJson::array(), roots = GltfJson::array();
   for (const Part& part : parts) {
-    json attributes = {{"POSITION", buffer.add_positions(part.positions)},
-                       {"NORMAL", buffer.add_vectors(part.normals)}};
+    GltfJson attributes = {{"POSITION", buffer.add_positions(part.positions)},
+                           {"NORMAL", buffer.add_vectors(part.normals)}};
     if (!part.texture_coordinates.empty())
       attributes["TEXCOORD_0"] = buffer.add_texture_coordinates(part.texture_coordinates);
     for (const analysis::ClothMap& map : part.maps)
       attributes[std::string(analysis::trait_of(map.kind).attribute)] = buffer.add_numbers(map.values);
-    const json primitive = {{"attributes", attributes},
-                            {"indices", buffer.add_indices(part.triangles)},
-                            {"material", part.material}};
+    const GltfJson primitive = {{"attributes", attributes},
+                                {"indices", buffer.add_indices(part.triangles)},
+                                {"material", part.material}};
     roots.push_back(nodes.size());
     nodes.push_back({{"name", part.name}, {"mesh", meshes.size()}});
-    meshes.push_back({{"name", part.name}, {"primitives", json::array({primitive})}});
+    meshes.push_back({{"name", part.name}, {"primitives", GltfJson::array({primitive})}});
   }
-  json doc = {{"asset", {{"version", "2.0"}, {"generator", "Toile"}}}, {"scene", 0}};
+  GltfJson doc = {{"asset", {{"version", "2.0"}, {"generator", "Toile"}}}, {"scene", 0}};
   doc["materials"] = materials(model, looks);
   add_images(looks, buffer, doc);
-  doc["scenes"] = json::array({json::object()});
+  doc["scenes"] = GltfJson::array({GltfJson::object()});
   if (buffer.views().empty()) return doc;  // glTF allows no empty lists
   if (!parts.empty()) {
     doc["scenes"][0]["nodes"] = roots;
@@ -331,7 +331,7 @@ json document(const GlbModel& model, const GlbLooks& looks, const std::vector<Pa
     doc["accessors"] = buffer.accessors();
   }
   doc["bufferViews"] = buffer.views();
-  doc["buffers"] = json::array({json{{"byteLength", buffer.bytes().size()}}});
+  doc["buffers"] = GltfJson::array({GltfJson{{"byteLength", buffer.bytes().size()}}});
   return doc;
 }
 
@@ -373,9 +373,9 @@ Result<std::string> glb_bytes(const GlbModel& model) {
   for (const body::Body& body : model.bodies) TRY(check_body(body));
   append_bodies(model, parts);
   GltfBuffer buffer;
-  const json doc = document(model, looks, parts, buffer);
+  const GltfJson doc = document(model, looks, parts, buffer);
   // Names come from files: what is no UTF-8 is replaced rather than refused.
-  return container(doc.dump(-1, ' ', false, json::error_handler_t::replace), buffer.bytes());
+  return container(doc.dump(-1, ' ', false, GltfJson::error_handler_t::replace), buffer.bytes());
 }
 
 Status write_glb(const std::filesystem::path& path, const GlbModel& model) {

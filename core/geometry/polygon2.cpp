@@ -53,6 +53,17 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return length(p - (a + t * d));
 }
 
+Vec2 nearest_on(std::span<const Vec2> loop, Vec2 p) {
+  Vec2 best = loop[0];
+  for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
+    const Vec2 a = loop[i], d = loop[(i + 1) % n] - a;
+    const double l2 = dot(d, d);
+    const Vec2 at = a + d * (l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0.0);
+    if (length(at - p) < length(best - p)) best = at;
+  }
+  return best;
+}
+
 double orientation(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
 std::optional<Vec2> segment_intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {

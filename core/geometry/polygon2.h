@@ -29,6 +29,9 @@ bool contains(std::span<const Vec2> loop, Vec2 p);
 /// Distance from p to the segment ab.
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b);
 
+/// The point of the loop nearest to p. REQUIRES a vertex.
+Vec2 nearest_on(std::span<const Vec2> loop, Vec2 p);
+
 /// Twice the signed area of the triangle abc: positive when c lies left of a→b.
 double orientation(Vec2 a, Vec2 b, Vec2 c);
 

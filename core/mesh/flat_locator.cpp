@@ -9,7 +9,7 @@ namespace {
 
 /// As a share of a triangle's size: a point this little outside lies on its border.
 constexpr double kOnBorder = 1e-9;
-constexpr double kReach = 1e-6;           // m, that triangles are taken to be larger, so that none is missed
+constexpr double kLarger = 1e-6;          // m, that triangles are taken to be larger, so that none is missed
 constexpr double kPerCell = 2;            // triangles, about
 constexpr double kMostCells = 4096;       // a side, of the longer one
 constexpr std::size_t kMostEntries = 32;  // cells that a triangle reaches into, in the mean
@@ -28,7 +28,7 @@ FlatLocator::FlatLocator(std::span<const Vec2> rest, std::span<const Tri> triang
   }
   const Vec2 size = high - low_;
   const double even = std::sqrt(size.x * size.y * kPerCell / static_cast<double>(triangles.size()));
-  cell_ = std::max({kReach, even, std::max(size.x, size.y) / kMostCells});
+  cell_ = std::max({kLarger, even, std::max(size.x, size.y) / kMostCells});
   lay_grid(size);
   // Long slivers would fill every cell: a file may hold anything.
   while (entries() > kMostEntries * triangles.size() && columns_ * rows_ > 1) {
@@ -52,8 +52,8 @@ void FlatLocator::lay_grid(Vec2 size) {
 
 FlatLocator::Cells FlatLocator::cells_of(const Tri& t) const {
   const Vec2 a = rest_[t[0]], b = rest_[t[1]], c = rest_[t[2]];
-  return {column(std::min({a.x, b.x, c.x}) - kReach), column(std::max({a.x, b.x, c.x}) + kReach),
-          row(std::min({a.y, b.y, c.y}) - kReach), row(std::max({a.y, b.y, c.y}) + kReach)};
+  return {column(std::min({a.x, b.x, c.x}) - kLarger), column(std::max({a.x, b.x, c.x}) + kLarger),
+          row(std::min({a.y, b.y, c.y}) - kLarger), row(std::max({a.y, b.y, c.y}) + kLarger)};
 }
 
 std::size_t FlatLocator::entries() const {

@@ -18,7 +18,7 @@ constexpr double kLeastLength = 1e-6;      ///< m; a shorter edge is no edge
 constexpr double kJoinToleranceMm = 1e-3;  ///< how far the ends of consecutive edges may be apart
 
 /// A part of an edge that a seam takes: distances along the edge, m.
-struct SewnPart {
+struct SeamStretch {
   double from = 0, to = 0;
   std::vector<double> at;  ///< of its points, rising, both ends included
   std::size_t first = 0;   ///< place of the first of them among the edge's points
@@ -30,7 +30,7 @@ struct MeasuredEdge {
   std::vector<double> start;  ///< of each curve along the edge
   double length = 0;
   Index min_segments = 1;
-  std::vector<SewnPart> parts;  ///< in the order of the seams
+  std::vector<SeamStretch> parts;  ///< in the order of the seams
 };
 
 using MeasuredPanel = std::vector<MeasuredEdge>;
@@ -129,8 +129,8 @@ Result<std::size_t> take_part(MeasuredEdge& m, const pattern::SeamEdge& e, const
     return Error{"mesh.seam_edge", "The seam takes an empty part of " + edge_name(panel, *m.edge) + ".",
                  where};
   }
-  const SewnPart part{e.from * m.length, e.to == 1 ? m.length : e.to * m.length, {}, 0};
-  for (const SewnPart& other : m.parts) {
+  const SeamStretch part{e.from * m.length, e.to == 1 ? m.length : e.to * m.length, {}, 0};
+  for (const SeamStretch& other : m.parts) {
     if (std::min(part.to, other.to) - std::max(part.from, other.from) <= kLeastLength) continue;
     return Error{"mesh.seam_edge", "The seam takes " + edge_name(panel, *m.edge) + ", which is sewn already.",
                  where};
@@ -153,7 +153,7 @@ Result<Side> side_of(const pattern::Pattern& pattern, std::vector<MeasuredPanel>
   }
   if (backwards) std::reverse(side.path.begin(), side.path.end());
   for (const PathEdge& e : side.path) {
-    const SewnPart& part = panels[e.panel][e.edge].parts[e.part];
+    const SeamStretch& part = panels[e.panel][e.edge].parts[e.part];
     side.breaks.push_back(side.breaks.back() + (part.to - part.from));
   }
   return side;
@@ -177,7 +177,7 @@ std::size_t add_interval(Side& side, double from, double to, Index segments) {
 /// The points of the path along the edges themselves, in the outline's own direction.
 void store_side(const Side& side, std::vector<MeasuredPanel>& panels) {
   for (const PathEdge& e : side.path) {
-    SewnPart& part = panels[e.panel][e.edge].parts[e.part];
+    SeamStretch& part = panels[e.panel][e.edge].parts[e.part];
     part.at = e.at;
     if (e.reversed) std::reverse(part.at.begin(), part.at.end());
     for (double& s : part.at) s = e.reversed ? part.to - s : part.from + s;
@@ -226,7 +226,7 @@ CutSeam cut_seam(Side a, Side b, std::vector<MeasuredPanel>& panels, double part
 
 /// Point k of the path edge, counted in the outline's direction from the edge's start.
 EdgeSample sample_of(const PathEdge& e, std::size_t k, const std::vector<MeasuredPanel>& panels) {
-  const SewnPart& part = panels[e.panel][e.edge].parts[e.part];
+  const SeamStretch& part = panels[e.panel][e.edge].parts[e.part];
   return {e.panel, e.edge, static_cast<Index>(part.first + (e.reversed ? e.at.size() - 1 - k : k))};
 }
 
@@ -249,11 +249,11 @@ std::vector<double> points_of(MeasuredEdge& m, double particle_distance) {
     if (to - from <= kLeastLength) return;
     append_even(from, to, std::max(m.min_segments, segment_count(to - from, particle_distance)), at);
   };
-  std::vector<SewnPart*> parts;
-  for (SewnPart& part : m.parts) parts.push_back(&part);
+  std::vector<SeamStretch*> parts;
+  for (SeamStretch& part : m.parts) parts.push_back(&part);
   std::sort(parts.begin(), parts.end(),
-            [](const SewnPart* x, const SewnPart* y) { return x->from < y->from; });
-  for (SewnPart* part : parts) {
+            [](const SeamStretch* x, const SeamStretch* y) { return x->from < y->from; });
+  for (SeamStretch* part : parts) {
     fill(part->from);
     part->first = at.empty() ? 0 : at.size() - 1;
     at.insert(at.end(), part->at.begin() + (at.empty() ? 0 : 1), part->at.end());

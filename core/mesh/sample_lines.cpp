@@ -13,8 +13,8 @@
 namespace toile::mesh {
 namespace {
 
-constexpr double kReach = 0.25;  ///< particle distances from the outline within which a line ends on it
-constexpr double kExact = 1e-6;  ///< m; a point this near needs no move
+constexpr double kEndsWithin = 0.25;  ///< particle distances from the outline within which a line ends on it
+constexpr double kExact = 1e-6;       ///< m; a point this near needs no move
 
 using Key = std::array<Index, 3>;  // panel, edge, sample
 
@@ -155,7 +155,7 @@ Result<std::vector<std::vector<std::vector<Vec2>>>> sample_lines(const pattern::
       std::vector<Vec2> corners;
       for (const Vec2 q : line.points) corners.push_back({metres_from_mm(q.x), metres_from_mm(q.y)});
       for (Vec2* end : {&corners.front(), &corners.back()}) {
-        *end = ends.settle(sampled, static_cast<Index>(p), *end, kReach * spacing);
+        *end = ends.settle(sampled, static_cast<Index>(p), *end, kEndsWithin * spacing);
       }
       points = sampled_line(corners, spacing);
     }

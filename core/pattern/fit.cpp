@@ -29,7 +29,6 @@ constexpr double kLongSegment = 3;
 constexpr double kCoarsestSagitta = 0.5;           // mm
 constexpr double kLeastSagitta = 0.1;              // mm
 constexpr double kStandsOut = 3;                   // times the curvature at the neighbours
-constexpr double kSharpBend = 35 * (kPi / 180);    // rad
 constexpr double kTangentBend = 10 * (kPi / 180);  // rad, up to here a line runs on into a curve
 // Runs of more points, or that halving parts into more curves, are no edges of a garment: one look must do.
 constexpr std::size_t kManyPoints = 1500, kManyCurves = 16;

@@ -13,7 +13,6 @@
 namespace toile::pattern {
 namespace {
 
-constexpr double kSharpBend = 35 * (kPi / 180);   // rad
 constexpr std::size_t kReparametrisations = 250;  // chord length starts far off where a curve bends unevenly
 constexpr std::size_t kMostWork = 500'000;        // points times reparametrisations for one cubic
 constexpr double kHopeless = 0.1;                 // of the run, an error that Newton does not mend

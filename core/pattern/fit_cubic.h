@@ -14,6 +14,8 @@ namespace toile::pattern {
 
 /// mm; nearer points would show the rounding of files.
 inline constexpr double kTangentReach = 0.5;
+/// rad; a bend beyond it is meant to be one, and no curve goes around it.
+inline constexpr double kSharpBend = 35 * (kPi / 180);
 
 /// Angle between two directions, rad, 0 to π.
 double turn_between(Vec2 from, Vec2 to);

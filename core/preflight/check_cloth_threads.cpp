@@ -7,19 +7,18 @@
 #include <set>
 
 #include "core/preflight/body_probe.h"
+#include "core/preflight/check_threads.h"
 
 namespace toile::preflight {
 
 namespace {
 
-constexpr int kWays = 8;              ///< directions across a thread
-constexpr std::size_t kLookedAt = 5;  ///< threads of a seam that are looked at closely
 /// m, how far aside a thread is tried.
-constexpr double kAside[] = {0.005, 0.01, 0.02, 0.03, 0.045, 0.065, 0.1, 0.15};
-constexpr double kNoWay = 0.2;
+constexpr double kAsideOfCloth[] = {0.005, 0.01, 0.02, 0.03, 0.045, 0.065, 0.1, 0.15};
+constexpr double kNoWayOff = 0.2;
 constexpr double kNearEdge = 0.02;  ///< m; what is nearer to an edge slides off it
 
-struct Thread {
+struct SeamThread {
   Vec3 a, b;
 };
 
@@ -40,50 +39,43 @@ body::Body body_of_piece(const sewing::Assembly& assembly, Index piece) {
 
 /// A line exactly along an edge of triangles passes through no triangle's inside, and sheets and threads are
 /// often built on the same planes: a twin a tenth of a millimetre aside is asked, too.
-bool meets(const BodyProbe& probe, Vec3 a, Vec3 b) {
+bool meets_cloth(const BodyProbe& probe, Vec3 a, Vec3 b) {
   constexpr Vec3 kTwin{1.13e-4, 1.71e-4, 0.93e-4};
   return probe.meets(a, b) || probe.meets(a + kTwin, b + kTwin);
 }
 
 struct WayOff {
-  double distance = kNoWay;  ///< m
+  double distance = kNoWayOff;  ///< m
   Vec3 way;
 };
 
-WayOff way_off(const BodyProbe& probe, const Thread& t) {
+WayOff way_off(const BodyProbe& probe, const SeamThread& t) {
   const PlaneFrame f = make_plane_frame({}, t.b - t.a);
   WayOff best;
   for (int k = 0; k < kWays; ++k) {
     const double angle = 2 * std::numbers::pi * k / kWays;
     const Vec3 way = f.u * std::cos(angle) + f.v * std::sin(angle);
-    for (const double d : kAside) {
+    for (const double d : kAsideOfCloth) {
       if (d >= best.distance) break;
-      if (!meets(probe, t.a + way * d, t.b + way * d)) best = {d, way};
+      if (!meets_cloth(probe, t.a + way * d, t.b + way * d)) best = {d, way};
     }
   }
   return best;
 }
 
-std::string way_text(Vec3 way) {
-  const double x = std::abs(way.x), y = std::abs(way.y), z = std::abs(way.z);
-  if (x >= y && x >= z) return way.x > 0 ? "the body's left" : "the body's right";
-  if (y >= z) return way.y > 0 ? "the top" : "the floor";
-  return way.z > 0 ? "the front" : "the back";
-}
-
 /// What there is to say of one seam's threads and one piece that the seam does not join.
-std::optional<Finding> look(const std::vector<Thread>& threads, const BodyProbe& probe,
+std::optional<Finding> look(const std::vector<SeamThread>& threads, const BodyProbe& probe,
                             const std::string& seam, const std::string& piece) {
-  std::vector<Thread> through;
-  for (const Thread& t : threads) {
-    if (meets(probe, t.a, t.b)) through.push_back(t);
+  std::vector<SeamThread> through;
+  for (const SeamThread& t : threads) {
+    if (meets_cloth(probe, t.a, t.b)) through.push_back(t);
   }
   if (through.empty()) return std::nullopt;
   WayOff worst{0, {}};
   Vec3 place = (through[0].a + through[0].b) * 0.5;
   const std::size_t looked_at = std::min(kLookedAt, through.size());
   for (std::size_t i = 0; i < looked_at; ++i) {
-    const Thread& t = through[i * (through.size() - 1) / std::max<std::size_t>(1, looked_at - 1)];
+    const SeamThread& t = through[i * (through.size() - 1) / std::max<std::size_t>(1, looked_at - 1)];
     const WayOff off = way_off(probe, t);
     if (off.distance > worst.distance) {
       worst = off;
@@ -99,7 +91,7 @@ std::optional<Finding> look(const std::vector<Thread>& threads, const BodyProbe&
   }
   f.severity = Severity::kWarning;
   f.message += ", and it may keep the seam open; move piece " + piece;
-  f.message += worst.distance < kNoWay
+  f.message += worst.distance < kNoWayOff
                    ? " by about " + length_text(worst.distance) + " away from " + way_text(worst.way)
                    : std::string(" out of the way");
   return f;
@@ -127,7 +119,7 @@ void check_cloth_threads(const PreflightInput& input, const sewing::Assembly& as
   for (Index p = 0; p < pieces; ++p) bodies.push_back(body_of_piece(assembly, p));
   const std::vector<BodyProbe> probes = make_probes(bodies);
   for (Index s = 0; s < static_cast<Index>(input.pattern.seams.size()); ++s) {
-    std::vector<Thread> threads;
+    std::vector<SeamThread> threads;
     std::set<Index> joined;
     for (std::size_t k = 0; k < g.sewn.size(); ++k) {
       if (g.seam_of_sewn[k] != s) continue;

@@ -13,11 +13,11 @@ namespace toile::preflight {
 namespace {
 
 constexpr double kEased = 1.02, kGathered = 1.5;
-constexpr double kShortEdge = 0.5;  ///< particle distances
+constexpr double kShortestEdge = 0.5;  ///< particle distances
 /// Largest piece against the height of the largest body: beyond these it is no garment for it.
 constexpr double kHuge = 3, kTiny = 0.03;
 constexpr double kLikeFactor = 0.06;  ///< relative; a ratio that near to a factor between units is one
-constexpr double kFar = 1.5;          ///< body heights from the bodies' boxes, beside 1 m
+constexpr double kFarAway = 1.5;      ///< body heights from the bodies' boxes, beside 1 m
 
 struct UnitSlip {
   double factor;
@@ -127,7 +127,7 @@ void check_places(const PreflightInput& in, std::span<const BodyProbe> probes,
       const auto& [lo, hi] = probe.box();
       const Vec3 out{std::max({lo.x - c.x, c.x - hi.x, 0.0}), std::max({lo.y - c.y, c.y - hi.y, 0.0}),
                      std::max({lo.z - c.z, c.z - hi.z, 0.0})};
-      least = std::min(least, length(out) - kFar * length(hi - lo));
+      least = std::min(least, length(out) - kFarAway * length(hi - lo));
     }
     if (least < 1) continue;
     findings.push_back(
@@ -143,7 +143,7 @@ void check_edges(const PreflightInput& in, const sewing::Assembly& assembly, Fin
     const double spacing = pattern::spacing_on(in.pattern.panels[p], in.particle_distance);
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const double long_m = metres_from_mm(pattern::arc_length(*edges[e]));
-      if (long_m >= kShortEdge * spacing) continue;
+      if (long_m >= kShortestEdge * spacing) continue;
       const Index v = in.meshes.panels[p].edge_vertices[e].front();
       findings.push_back(
           found(FindingKind::kShortEdge,

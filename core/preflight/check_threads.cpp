@@ -8,8 +8,6 @@ namespace toile::preflight {
 
 namespace {
 
-constexpr int kWays = 8;              ///< directions across a thread
-constexpr std::size_t kLookedAt = 5;  ///< threads of a seam that are looked at closely: the deepest
 /// m, how far aside a thread is tried; beyond the last there is no coming off on that side.
 constexpr double kAside[] = {0.005, 0.01, 0.015, 0.02, 0.03, 0.04, 0.05,
                              0.065, 0.08, 0.10,  0.13, 0.17, 0.22, 0.3};
@@ -21,7 +19,7 @@ constexpr double kDeep = 0.02;
 /// Share of the breadth that the nearer side is away: 0.5 is the very middle.
 constexpr double kMiddle = 0.3;
 
-struct Thread {
+struct BodyThread {
   Vec3 a, b;
   double inside = 0;  ///< m that run through the body
 };
@@ -39,7 +37,7 @@ struct Clearance {
 /// lie inside as a whole.
 constexpr Vec3 kTwin{1.13e-4, 1.71e-4, 0.93e-4};
 
-bool meets(const BodyProbe& probe, Vec3 a, Vec3 b) {
+bool meets_body(const BodyProbe& probe, Vec3 a, Vec3 b) {
   return probe.meets(a, b) || probe.meets(a + kTwin, b + kTwin) || probe.contains((a + b) * 0.5 + kTwin);
 }
 
@@ -62,14 +60,14 @@ std::array<Vec3, kWays> ways_across(Vec3 direction) {
           -f.u, (f.u + f.v) * -kHalf, -f.v, (f.u - f.v) * kHalf};
 }
 
-double aside_until_clear(const BodyProbe& probe, const Thread& t, Vec3 way) {
+double aside_until_clear(const BodyProbe& probe, const BodyThread& t, Vec3 way) {
   for (const double d : kAside) {
-    if (!meets(probe, t.a + way * d, t.b + way * d)) return d;
+    if (!meets_body(probe, t.a + way * d, t.b + way * d)) return d;
   }
   return kNoWay;
 }
 
-Clearance clearance_of(const BodyProbe& probe, const Thread& t) {
+Clearance clearance_of(const BodyProbe& probe, const BodyThread& t) {
   const auto ways = ways_across(t.b - t.a);
   double away[kWays];
   int best = 0;
@@ -81,21 +79,14 @@ Clearance clearance_of(const BodyProbe& probe, const Thread& t) {
 }
 
 /// Whether a slim limb stands within kNearLimb of a thread that does not meet it.
-bool is_near_limb(const BodyProbe& probe, const Thread& t) {
+bool is_near_limb(const BodyProbe& probe, const BodyThread& t) {
   const auto ways = ways_across(t.b - t.a);
   for (const Vec3 way : ways) {
-    const Thread beside{t.a + way * kNearLimb, t.b + way * kNearLimb, 0};
-    if (!meets(probe, beside.a, beside.b)) continue;
+    const BodyThread beside{t.a + way * kNearLimb, t.b + way * kNearLimb, 0};
+    if (!meets_body(probe, beside.a, beside.b)) continue;
     if (kNearLimb + aside_until_clear(probe, beside, way) <= kSlim) return true;
   }
   return false;
-}
-
-std::string way_text(Vec3 way) {
-  const double x = std::abs(way.x), y = std::abs(way.y), z = std::abs(way.z);
-  if (x >= y && x >= z) return way.x > 0 ? "the body's left" : "the body's right";
-  if (y >= z) return way.y > 0 ? "the top" : "the floor";
-  return way.z > 0 ? "the front" : "the back";
 }
 
 std::string count_text(std::size_t count, std::size_t of) {
@@ -114,8 +105,8 @@ class SeamThreads {
 
   /// What there is to say about the seam and one body.
   std::optional<Finding> look(const BodyProbe& probe, const std::string& seam) const {
-    std::vector<Thread> through;
-    for (Thread t : threads_) {
+    std::vector<BodyThread> through;
+    for (BodyThread t : threads_) {
       t.inside = inside_length(probe, t.a, t.b);
       if (t.inside > 0) through.push_back(t);
     }
@@ -123,12 +114,12 @@ class SeamThreads {
     const std::string body = "body " + probe.body().id;
     if (through.empty()) return near_limb(probe, body, about);
     std::stable_sort(through.begin(), through.end(),
-                     [](const Thread& s, const Thread& t) { return s.inside > t.inside; });
-    const std::size_t looked_at = std::min(kLookedAt, through.size());
+                     [](const BodyThread& s, const BodyThread& t) { return s.inside > t.inside; });
+    const std::size_t looked_at = std::min(kLookedAt, through.size());  // the deepest
     Finding f = found(FindingKind::kThreadThroughBody, "", about, middle(through[0]));
     Clearance worst;
     for (std::size_t i = 0; i < looked_at; ++i) {
-      const Thread& t = through[i * (through.size() - 1) / std::max<std::size_t>(1, looked_at - 1)];
+      const BodyThread& t = through[i * (through.size() - 1) / std::max<std::size_t>(1, looked_at - 1)];
       const Clearance c = clearance_of(probe, t);
       if (!c.is_stuck() || c.nearer <= worst.nearer) continue;
       worst = c;
@@ -145,7 +136,7 @@ class SeamThreads {
   }
 
  private:
-  static Vec3 middle(const Thread& t) { return (t.a + t.b) * 0.5; }
+  static Vec3 middle(const BodyThread& t) { return (t.a + t.b) * 0.5; }
 
   std::optional<Finding> near_limb(const BodyProbe& probe, const std::string& body,
                                    const Concerns& about) const {
@@ -160,10 +151,17 @@ class SeamThreads {
     return std::nullopt;
   }
 
-  std::vector<Thread> threads_;
+  std::vector<BodyThread> threads_;
 };
 
 }  // namespace
+
+std::string way_text(Vec3 way) {
+  const double x = std::abs(way.x), y = std::abs(way.y), z = std::abs(way.z);
+  if (x >= y && x >= z) return way.x > 0 ? "the body's left" : "the body's right";
+  if (y >= z) return way.y > 0 ? "the top" : "the floor";
+  return way.z > 0 ? "the front" : "the back";
+}
 
 void check_threads(const PreflightInput& input, std::span<const BodyProbe> probes,
                    const sewing::Assembly& assembly, Findings& findings) {

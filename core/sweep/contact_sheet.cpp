@@ -10,7 +10,7 @@
 namespace toile::sweep {
 namespace {
 
-constexpr int kMargin = 24, kGap = 10, kNames = 150, kHead = 78, kCaption = 38;
+constexpr int kMargin = 24, kGap = 10, kNamesWidth = 150, kHead = 78, kCaption = 38;
 constexpr int kColumn = kStillWidth + kGap, kRow = kStillHeight + kCaption + kGap;
 
 std::string at(int x, int y) { return "x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(y) + "\""; }
@@ -94,7 +94,7 @@ ContactSheet contact_sheet(const Table& table, const std::vector<std::string>& s
   TOILE_CHECK(stills.size() == table.cells.size());
   const int columns = static_cast<int>(table.fabrics.size()), rows = static_cast<int>(table.bodies.size());
   ContactSheet sheet;
-  sheet.width = 2 * kMargin + kNames + columns * kColumn - kGap;
+  sheet.width = 2 * kMargin + kNamesWidth + columns * kColumn - kGap;
   sheet.height = 2 * kMargin + kHead + rows * kRow - kGap;
   std::string& svg = sheet.svg;
   svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" " +
@@ -103,7 +103,7 @@ ContactSheet contact_sheet(const Table& table, const std::vector<std::string>& s
         sized(sheet.width, sheet.height) + " fill=\"#fff\"/>\n";
   svg += words(kMargin, kMargin + 22, kTitle, table.name, 10 + 16 * table.fabrics.size());
   for (int fabric = 0; fabric < columns; ++fabric)
-    svg += words(kMargin + kNames + fabric * kColumn + 2, kMargin + kHead - 10, kName,
+    svg += words(kMargin + kNamesWidth + fabric * kColumn + 2, kMargin + kHead - 10, kName,
                  table.fabrics[static_cast<std::size_t>(fabric)], 26);
   for (int body = 0; body < rows; ++body) {
     const int y = kMargin + kHead + body * kRow;
@@ -111,7 +111,7 @@ ContactSheet contact_sheet(const Table& table, const std::vector<std::string>& s
     for (int fabric = 0; fabric < columns; ++fabric) {
       const std::size_t cell =
           static_cast<std::size_t>(body) * table.fabrics.size() + static_cast<std::size_t>(fabric);
-      const int x = kMargin + kNames + fabric * kColumn;
+      const int x = kMargin + kNamesWidth + fabric * kColumn;
       svg += still(x, y, table.cells[cell], stills[cell]);
       svg += caption(x, y + kStillHeight, table.cells[cell]);
     }

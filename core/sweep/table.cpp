@@ -112,7 +112,7 @@ Figures figures_from(const JsonValue& given) {
   return f;
 }
 
-constexpr const char* kNames =
+constexpr const char* kColumnNames =
     "body,fabric,state,reason_code,worn,settled,bust_fit,bust_ease_mm,waist_fit,waist_ease_mm,hip_fit,"
     "hip_ease_mm,warp_p99_percent,weft_p99_percent,shear_p99_deg,cloth_body,cloth_cloth,worst_body,"
     "worst_cloth,open_seams,cpu_s,simulated_s,particles,hash,job\r\n";
@@ -201,7 +201,7 @@ Cell cell_from(const JsonValue& given) {
 
 std::string table_csv(const Table& table) {
   constexpr std::size_t kOfFigures = 20;
-  std::string csv = kNames;
+  std::string csv = kColumnNames;
   for (std::size_t body = 0; body < table.bodies.size(); ++body) {
     for (std::size_t fabric = 0; fabric < table.fabrics.size(); ++fabric) {
       const Cell& cell = table.at(body, fabric);

@@ -11,7 +11,7 @@
 namespace toile::trials {
 namespace {
 
-constexpr double kGravity = 9.81;         // m/s²
+constexpr double kEarthGravity = 9.81;    // m/s²
 constexpr double kFastLoad = 98.1;        // N/m, 100 gf/cm
 constexpr double kKesLoad = 490;          // N/m, 500 gf/cm
 constexpr double kOrdinaryLength = 0.02;  // m, bending length where nothing is known
@@ -233,7 +233,7 @@ void tell_directions(const Measured& m, Calibration& out) {
 }  // namespace
 
 double rigidity_of_length(double length, double areal_mass) {
-  return areal_mass * kGravity * length * length * length;
+  return areal_mass * kEarthGravity * length * length * length;
 }
 double rigidity_of_kes(double b) { return b * 9.80665e-5; }  // gf·cm²/cm = 9.80665e-3 N × 1e-4 m² / 1e-2 m
 double shear_of_fast(double eb5) { return 123 / eb5; }

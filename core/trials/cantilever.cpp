@@ -12,9 +12,9 @@
 namespace toile::trials {
 namespace {
 
-constexpr double kWidth = 0.025;        // m, of the standard's strip
-constexpr double kRowsOfOverhang = 10;  // triangles along it
-constexpr double kRows = 3;             // and before the clamp
+constexpr double kStandardWidth = 0.025;  // m, of the standard's strip
+constexpr double kRowsOfOverhang = 10;    // triangles along it
+constexpr double kRows = 3;               // and before the clamp
 
 /// Where the strip begins: as one a fifth stiffer would hang, so that it has to find its own way.
 std::vector<Vec3> start_of(const Specimen& strip, double clamp, double overhang) {
@@ -62,7 +62,7 @@ CantileverResult cantilever(const material::Fabric& fabric, Vec2 along, double r
   const double length = clamp - half_row + overhang;
   const Vec2 warp{along.y, along.x};  // the strip lies along x; its reflection changes nothing
   const Specimen strip =
-      make_specimen(rectangle(length / kMetres, kWidth / kMetres, warp, clamp / kMetres), h, fabric);
+      make_specimen(rectangle(length / kMetres, kStandardWidth / kMetres, warp, clamp / kMetres), h, fabric);
   std::vector<Vec3> x = start_of(strip, clamp, overhang - half_row);
   std::vector<solver::constraints::HeldVertex> held;
   for (std::size_t i = 0; i < x.size(); ++i)

@@ -11,9 +11,9 @@
 namespace toile::trials {
 namespace {
 
-constexpr double kSide = 0.1, kSpacing = 0.02;  // m
-constexpr double kSteeper = 10;                 // degrees
-constexpr double kSkin = 1e-3;                  // m
+constexpr double kSide = 0.1, kSquareSpacing = 0.02;  // m
+constexpr double kSteeper = 10;                       // degrees
+constexpr double kSkin = 1e-3;                        // m
 
 /// A plane through the origin that falls towards −x, long enough for the way.
 collision::Obstacle slope(Vec3 down, double friction) {
@@ -33,7 +33,7 @@ SlideResult slide(const material::Fabric& fabric) {
   const double angle = std::atan(fabric.friction) + radians_from_degrees(kSteeper);
   const Vec3 down{-std::cos(angle), -std::sin(angle), 0}, up{-std::sin(angle), std::cos(angle), 0};
   const Specimen piece =
-      make_specimen(rectangle(mm_from_metres(kSide), mm_from_metres(kSide), {0, 1}), kSpacing, fabric);
+      make_specimen(rectangle(mm_from_metres(kSide), mm_from_metres(kSide), {0, 1}), kSquareSpacing, fabric);
   std::vector<Vec3> x;
   for (const Vec2& p : piece.rest)
     x.push_back(down * p.x + up * (1.05 * kSkin) + Vec3{0, 0, p.y - kSide / 2});

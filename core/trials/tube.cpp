@@ -11,12 +11,12 @@
 namespace toile::trials {
 namespace {
 
-constexpr double kRadius = 0.05, kLength = 0.15, kSpacing = 0.008;  // m
+constexpr double kRadius = 0.05, kTubeLength = 0.15, kTubeSpacing = 0.008;  // m
 constexpr double kAround = 2 * kPi * kRadius;
-constexpr double kStrain = 0.005;
-constexpr double kWaves2 = 550;  // m²/s², as in tension.cpp
+constexpr double kTubeStrain = 0.005;
+constexpr double kTubeWaves2 = 550;  // m²/s², as in tension.cpp
 
-bool is_middle(double along) { return std::abs(along - kLength / 2) < kLength / 6; }
+bool is_middle(double along) { return std::abs(along - kTubeLength / 2) < kTubeLength / 6; }
 
 /// Means over the middle third.
 struct Middle {
@@ -52,14 +52,14 @@ TubeResult tube(const material::Fabric& fabric, bool warp_around) {
   const double coupling = fabric.stretch_coupling;
   out.known = (own * other - coupling * coupling) / (other - coupling / 2);
   material::Fabric light = fabric;
-  light.areal_mass = out.known / kWaves2;
+  light.areal_mass = out.known / kTubeWaves2;
   const Vec2 warp = warp_around ? Vec2{1, 0} : Vec2{0, 1};
   const Specimen specimen =
-      make_ring(rectangle(mm_from_metres(kAround), mm_from_metres(kLength), warp), kSpacing, light);
+      make_ring(rectangle(mm_from_metres(kAround), mm_from_metres(kTubeLength), warp), kTubeSpacing, light);
   std::vector<Vec3> x;
   for (const Vec2& p : specimen.rest)
     x.push_back({kRadius * std::sin(p.x / kRadius), p.y, kRadius * std::cos(p.x / kRadius)});
-  const double pressure = out.known * kStrain / kRadius;
+  const double pressure = out.known * kTubeStrain / kRadius;
   solver::ClothFeatures air;
   air.chambers = {solver::constraints::make_chamber(specimen.model.triangles, specimen.model.vertex_count(),
                                                     pressure, 0)};

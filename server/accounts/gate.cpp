@@ -4,14 +4,10 @@
 #include <utility>
 
 #include "server/accounts/secrets.h"
+#include "server/store/now.h"
 
 namespace toile::accounts {
 namespace {
-
-std::int64_t now_ms() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
-}
 
 /// In the same words whatever is the matter with it: who has found an old key need not learn that it was one.
 Answer nobody_has_it() {
@@ -23,7 +19,7 @@ Answer nobody_has_it() {
       true};
 }
 
-bool has_expired(const store::KeyRow& key) { return key.expires_ms > 0 && key.expires_ms <= now_ms(); }
+bool has_expired(const store::KeyRow& key) { return key.expires_ms > 0 && key.expires_ms <= store::now_ms(); }
 
 /// An account that has lost its rights has lost them for all its keys.
 store::Scopes scopes_of(const store::KnownKey& known) {

@@ -4,14 +4,10 @@
 #include <utility>
 
 #include "server/accounts/secrets.h"
+#include "server/store/now.h"
 
 namespace toile::accounts {
 namespace {
-
-std::int64_t now_ms() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
-}
 
 Opened no_link() {
   return {Error{"links.unknown", "this link opens nothing here; perhaps it was not copied whole", ""}, true};
@@ -32,7 +28,7 @@ Opened LinkGate::link_of(const std::string& hash) {
   if (!known) return {known.error()};
   const bool of_nobody = with_accounts_ && !known->has_account;
   if (known->link.revoked_ms > 0 || known->locked || of_nobody) return revoked();
-  if (known->link.expires_ms > 0 && known->link.expires_ms <= now_ms()) {
+  if (known->link.expires_ms > 0 && known->link.expires_ms <= store::now_ms()) {
     return {Error{"links.expired", "this link was good for a time that is over; ask for another", "",
                   ErrorKind::kNotFound},
             false, true};

@@ -17,17 +17,13 @@
 #include "server/app/account_commands.h"
 #include "server/app/console.h"
 #include "server/app/read_password.h"
+#include "server/store/now.h"
 #include "server/store/sqlite/open.h"
 
 namespace toile::app {
 namespace {
 
 using Members = std::vector<json::JsonMember>;
-
-std::int64_t now_ms() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
-}
 
 /// Beside the server that has it open, or alone.
 Result<std::unique_ptr<store::Store>> open_store(const std::string& folder) {
@@ -117,7 +113,7 @@ Result<NewToken> make_token(store::Store& store, const TokenOptions& options) {
                  account.name};
   }
   constexpr double kDayMs = 86'400'000;
-  if (options.days > 0) key.expires_ms = now_ms() + static_cast<std::int64_t>(options.days * kDayMs);
+  if (options.days > 0) key.expires_ms = store::now_ms() + static_cast<std::int64_t>(options.days * kDayMs);
   std::string secret = accounts::new_secret();
   key = TRY(store.accounts()->add_key(std::move(key), accounts::hash_of_secret(secret)));
   return NewToken{std::move(key), std::move(secret)};
@@ -147,7 +143,7 @@ Status print_keys(store::Store& store, const TokenOptions& options) {
   for (const store::KeyRow& key : keys) {
     list.emplace_back(members_of(key));
     if (options.json) continue;
-    const bool over = key.expires_ms > 0 && key.expires_ms <= now_ms();
+    const bool over = key.expires_ms > 0 && key.expires_ms <= store::now_ms();
     std::printf("%s  %-8s %-18s %s %s  %s\n", key.id.c_str(), word_of(key.kind), to_text(key.scopes).c_str(),
                 over ? "ended" : "until", date_of(key.expires_ms).c_str(), key.label.c_str());
   }

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Status make_folder(const fs::path& folder) {
+Status make_results_folder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (!failure && fs::is_directory(folder)) return {};
@@ -181,7 +181,7 @@ ExitCode drape_command(const DrapeOptions& options) {
   resolve::ResolvedProject& read = ready->read;
   if (const auto textures = resolve::read_textures(read); !textures)
     return fail(textures.error(), options.json);  // before the time of a drape is spent
-  if (Status folder = make_folder(options.out); !folder) return fail(folder.error(), options.json);
+  if (Status folder = make_results_folder(options.out); !folder) return fail(folder.error(), options.json);
   const Result<std::unique_ptr<proto::TraceWriter>> trace = open_trace(options);
   if (!trace) return fail(trace.error(), options.json);
 

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<double, 3> kBodyColour{0.55, 0.52, 0.49};  // linear, as in final.glb
 
-Result<const exports::ModelFormat*> format_of(const std::string& file) {
+Result<const exports::ModelFormat*> model_format_of(const std::string& file) {
   const std::string ending = lower_case(fs::path(file).extension().string());
   if (!ending.empty())
     if (const auto* format = exports::model_format_named(ending.substr(1))) return format;
@@ -125,7 +125,7 @@ Result<std::vector<exports::ModelPart>> parts_of(const ExportOptions& options) {
 }
 
 Result<std::vector<std::string>> write_all(const ExportOptions& options) {
-  const exports::ModelFormat* format = TRY(format_of(options.out));
+  const exports::ModelFormat* format = TRY(model_format_of(options.out));
   const fs::path out = options.out;
   const std::vector<exports::ModelPart> parts = TRY(parts_of(options));
   const auto files =

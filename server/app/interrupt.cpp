@@ -5,10 +5,10 @@
 namespace toile::app {
 namespace {
 
-std::atomic<bool> cancelled{false};
+std::atomic<bool> was_interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);  // else a signal handler may not touch it
 
-void on_signal(int) { cancelled.store(true, std::memory_order_relaxed); }
+void on_signal(int) { was_interrupted.store(true, std::memory_order_relaxed); }
 
 }  // namespace
 
@@ -20,7 +20,7 @@ const std::atomic<bool>& cancel_on_interrupt() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  return cancelled;
+  return was_interrupted;
 }
 
 }  // namespace toile::app

@@ -27,7 +27,7 @@ Status read_size(const std::string& text, movie::MovieSettings& settings) {
 }
 
 /// As it is told, else as the file's name ends.
-Result<movie::VideoFormat> format_of(const MovieOptions& options) {
+Result<movie::VideoFormat> video_format_of(const MovieOptions& options) {
   if (!options.format.empty()) return movie::video_format_from(options.format);
   const std::string ending = lower_case(fs::path(options.out).extension().string());
   if (!ending.empty()) {
@@ -42,7 +42,7 @@ Result<movie::VideoFormat> format_of(const MovieOptions& options) {
 Result<movie::MovieSettings> settings_of(const MovieOptions& options) {
   movie::MovieSettings settings;
   settings.kind = TRY(movie::movie_kind_from(options.kind));
-  settings.format = TRY(format_of(options));
+  settings.format = TRY(video_format_of(options));
   TRY(read_size(options.size, settings));
   settings.fps = options.fps;
   settings.seconds = options.seconds;
@@ -61,7 +61,7 @@ Result<movie::Film> film_of(const MovieOptions& options) {
                options.trace};
 }
 
-Status make_folder(const std::string& folder) {
+Status make_stills_folder(const std::string& folder) {
   std::error_code failure;
   if (!folder.empty()) fs::create_directories(folder, failure);
   if (!failure) return {};
@@ -110,7 +110,7 @@ ExitCode movie_command(const MovieOptions& options) {
   if (!settings) return fail(settings.error(), options.json);
   const Result<movie::Film> film = film_of(options);
   if (!film) return fail(film.error(), options.json);
-  if (Status folder = make_folder(options.stills); !folder) return fail(folder.error(), options.json);
+  if (Status folder = make_stills_folder(options.stills); !folder) return fail(folder.error(), options.json);
   const Status made = make(*film, *settings, options.out);
   if (!made && made.error().kind == ErrorKind::kCancelled) {
     print_error(made.error(), options.json);

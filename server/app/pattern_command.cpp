@@ -141,7 +141,7 @@ std::vector<json::JsonValue> proposals_of(const dxf::DxfDrawing& drawing) {
 }
 
 /// As the file's name ends; DXF where it tells nothing else.
-documents::PatternFormat format_of(const std::string& file) {
+documents::PatternFormat pattern_format_of(const std::string& file) {
   const std::string ending = lower_case(std::filesystem::path(file).extension().string());
   if (ending == ".svg") return documents::PatternFormat::kSvg;
   if (ending == ".pdf") return documents::PatternFormat::kPdf;
@@ -194,7 +194,7 @@ ExitCode pattern_export_command(const PatternExportOptions& options) {
   if (!read) return fail(read.error(), options.json);
   const pattern::Pattern& pattern = read->input.pattern;
   const Result<std::string> text = documents::pattern_file(
-      pattern, read->project.name, format_of(options.out), *print::paper_named(options.paper));
+      pattern, read->project.name, pattern_format_of(options.out), *print::paper_named(options.paper));
   if (!text) return fail(text.error(), options.json);
   if (Status written = write_file(options.out, *text); !written) return fail(written.error(), options.json);
   const std::size_t pieces = pattern.panels.size();

@@ -89,7 +89,7 @@ Status arrange(const fs::path& folder, project::Project& project) {
   return {};
 }
 
-Status make_folder(const fs::path& folder) {
+Status make_sample_folder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (!failure && fs::is_directory(folder)) return {};
@@ -102,7 +102,7 @@ Result<draft::Garment> make(const SampleOptions& options) {
     return Error{"usage.sample", "there is no such sample; toile sample lists them", options.name};
   }
   TRY(check_wearer(options, *kind));
-  TRY(make_folder(options.out));
+  TRY(make_sample_folder(options.out));
   const bool worn = !kind->preset.empty();
   Dressed dressed;
   if (worn) dressed = TRY(options.body.empty() ? mannequin_of(options, *kind) : body_of(options));

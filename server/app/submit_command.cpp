@@ -17,7 +17,7 @@
 namespace toile::app {
 namespace {
 
-constexpr auto kPoll = std::chrono::milliseconds(200);
+constexpr auto kPollOfJob = std::chrono::milliseconds(200);
 
 Result<store::JobState> state_of(const json::JsonValue& job) {
   const std::string word = text_member(job, "state");
@@ -36,17 +36,17 @@ void show(ProgressBar& bar, const json::JsonValue& job) {
 }
 
 /// Follows a job to its end. Ctrl-C cancels it.
-Result<json::JsonValue> follow(Remote& remote, const std::string& id) {
+Result<json::JsonValue> follow_job(Remote& remote, const std::string& id) {
   const std::atomic<bool>& interrupted = cancel_on_interrupt();
   ProgressBar bar;
-  bool cancelled = false;
+  bool told = false;
   for (;;) {
-    if (interrupted && !cancelled) cancelled = remote.cancel("jobs/" + id).ok();
+    if (interrupted && !told) told = remote.cancel("jobs/" + id).ok();
     json::JsonValue job = TRY(remote.show("jobs/" + id));
     const store::JobState state = TRY(state_of(job));
     if (store::is_final(state)) return job;
     show(bar, job);
-    std::this_thread::sleep_for(kPoll);
+    std::this_thread::sleep_for(kPollOfJob);
   }
 }
 
@@ -72,7 +72,7 @@ ExitCode fail_on_the_way(Error error, const std::string& id, const SubmitOptions
 }
 
 ExitCode watch(Remote& remote, const std::string& id, const SubmitOptions& options) {
-  const Result<json::JsonValue> job = follow(remote, id);
+  const Result<json::JsonValue> job = follow_job(remote, id);
   if (!job) return fail_on_the_way(job.error(), id, options);
   if (text_member(*job, "state") == store::name_of(store::JobState::kFailed)) {
     return fail(told_by_server(text_member(*job, "reason_code"), text_member(*job, "reason"),

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using json::JsonMember;
 using json::JsonValue;
 
-constexpr auto kPoll = std::chrono::milliseconds(500);
+constexpr auto kPollOfSweep = std::chrono::milliseconds(500);
 
 Result<JsonValue> body_wish(Remote& remote, const std::string& said) {
   const BodyWord body = TRY(read_body_word(said));
@@ -60,17 +60,17 @@ bool is_true(const JsonValue& in, std::string_view key) {
 }
 
 /// To its end. Ctrl-C cancels it.
-Result<JsonValue> follow(Remote& remote, const std::string& id) {
+Result<JsonValue> follow_sweep(Remote& remote, const std::string& id) {
   const std::atomic<bool>& interrupted = cancel_on_interrupt();
   ProgressBar bar;
-  bool cancelled = false;
+  bool told = false;
   for (;;) {
-    if (interrupted && !cancelled) cancelled = remote.cancel("sweeps/" + id).ok();
+    if (interrupted && !told) told = remote.cancel("sweeps/" + id).ok();
     JsonValue sweep = TRY(remote.show("sweeps/" + id));
     if (is_true(sweep, "ended")) return sweep;
     const JsonValue* fraction = sweep.find("fraction");
     bar.show({"sweep", fraction && fraction->number() ? *fraction->number() : 0});
-    std::this_thread::sleep_for(kPoll);
+    std::this_thread::sleep_for(kPollOfSweep);
   }
 }
 
@@ -122,7 +122,7 @@ ExitCode sweep_afar(const SweepOptions& options) {
   if (!sweep) return fail_remote(sweep.error(), options.json);
   const std::string id = text_member(*sweep, "id");
   if (!options.json) std::fprintf(stderr, "sweep %s\n", id.c_str());
-  const Result<JsonValue> ended = follow(*remote, id);
+  const Result<JsonValue> ended = follow_sweep(*remote, id);
   if (!ended) return fail_on_the_way(ended.error(), id, options);
   const Result<sweep::Table> table = table_from(*ended, id);
   if (!table) return fail_remote(table.error(), options.json);

@@ -21,7 +21,7 @@ namespace toile::documents {
 namespace {
 
 constexpr double kFarthestMm = 5000;  // of a place from a box
-const std::vector<std::string> kSides{"front", "back", "left", "right"};
+const std::vector<std::string> kSideNames{"front", "back", "left", "right"};
 
 std::vector<std::string> part_names() {
   std::vector<std::string> names;
@@ -228,7 +228,7 @@ Result<PieceWish> read_piece_wish(const json::JsonValue& object) {
   if (!piece || !piece->text()) return bad_place("\"piece\" is the id of a piece", "piece");
   wish.piece = *piece->text();
   TRY(read_word(object, "part", part_names(), wish.part));
-  TRY(read_word(object, "side", kSides, wish.side));
+  TRY(read_word(object, "side", kSideNames, wish.side));
   TRY(read_numbers(object, wish));
   for (const auto& [key, out] : {std::pair{"wrapped", &wish.wrapped},
                                  {"flipped", &wish.flipped},

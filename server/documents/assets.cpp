@@ -38,8 +38,6 @@ const std::pair<std::string_view, std::size_t>* kind_named(std::string_view kind
 constexpr std::size_t kMostNotes = 100;
 constexpr std::size_t kLongestText = 200;  // bytes of a name or note in a summary
 
-json::JsonValue count_of(std::size_t count) { return json::JsonValue(static_cast<double>(count)); }
-
 /// To three decimals: thousandths of a millimetre, or millimetres, are enough for a summary.
 
 json::JsonValue text_of(const std::string& text) { return json::JsonValue(clipped(text, kLongestText)); }
@@ -151,6 +149,8 @@ Result<std::string> info_of(const mesh_import::MeshImporter& importer, const sto
 }
 
 }  // namespace
+
+json::JsonValue count_of(std::size_t count) { return json::JsonValue(static_cast<double>(count)); }
 
 bool is_asset_kind(std::string_view kind) { return kind_named(kind) != nullptr; }
 

@@ -17,6 +17,9 @@ inline constexpr std::size_t kMostSpecificationBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kMostShapeBytes = std::size_t{32} << 20;
 inline constexpr std::size_t kMostImageBytes = image::PictureLimits{}.bytes;
 
+/// How many there are, in an answer.
+json::JsonValue count_of(std::size_t count);
+
 bool is_asset_kind(std::string_view kind);
 /// Their names in a sentence.
 std::string asset_kinds_text();

@@ -26,10 +26,11 @@ constexpr double kMetres = 1e-2;  // per cm
 
 /// Hundredths of a centimetre, and of a millimetre: finer than any tape.
 double cm(double metres) { return std::round(metres / kMetres * 100) / 100 + 0.0; }
-double fine(double metres) { return std::round(metres * 1e5) / 1e5 + 0.0; }
+double to_hundredth_mm(double metres) { return std::round(metres * 1e5) / 1e5 + 0.0; }
 
-json::JsonValue count_of(std::size_t count) { return static_cast<double>(count); }
-json::JsonValue vector_json(Vec3 p) { return std::vector<json::JsonValue>{fine(p.x), fine(p.y), fine(p.z)}; }
+json::JsonValue place_json(Vec3 p) {
+  return std::vector<json::JsonValue>{to_hundredth_mm(p.x), to_hundredth_mm(p.y), to_hundredth_mm(p.z)};
+}
 
 json::JsonValue measures_json(const measure::MeasureSet& set) {
   std::vector<json::JsonMember> out;
@@ -43,7 +44,7 @@ json::JsonValue measures_json(const measure::MeasureSet& set) {
 json::JsonValue taken_json(measure::Measure m, const measure::TakenMeasure& taken,
                            const std::optional<double>& asked, double floor) {
   std::vector<json::JsonValue> line;
-  for (const Vec3& p : taken.line) line.push_back(vector_json(p + Vec3{0, floor, 0}));
+  for (const Vec3& p : taken.line) line.push_back(place_json(p + Vec3{0, floor, 0}));
   return std::vector<json::JsonMember>{{"name", std::string(measure::measure_name(m))},
                                        {"girth", measure::is_girth(m)},
                                        {"cm", cm(taken.value)},
@@ -55,11 +56,11 @@ json::JsonValue taken_json(measure::Measure m, const measure::TakenMeasure& take
 
 json::JsonValue box_json(const measure::PartBox& box) {
   std::vector<json::JsonValue> axes;
-  for (const Vec3& axis : box.axis) axes.push_back(vector_json(axis));
+  for (const Vec3& axis : box.axis) axes.push_back(place_json(axis));
   return std::vector<json::JsonMember>{{"part", std::string(measure::name_of(box.part))},
-                                       {"centre", vector_json(box.centre)},
+                                       {"centre", place_json(box.centre)},
                                        {"axes", std::move(axes)},
-                                       {"half", vector_json(box.half)}};
+                                       {"half", place_json(box.half)}};
 }
 
 /// The tape wants the floor at y = 0.
@@ -79,7 +80,7 @@ Status find_parts(const geometry::TriangleMesh& mesh, const measure::MeasureSet&
   const measure::BodyFigure figure = TRY(measure::find_figure(mesh));
   for (const measure::Landmark& landmark : measure::find_landmarks(mesh, figure)) {
     parts.landmarks.push_back(
-        std::vector<json::JsonMember>{{"name", landmark.name}, {"place", vector_json(landmark.place)}});
+        std::vector<json::JsonMember>{{"name", landmark.name}, {"place", place_json(landmark.place)}});
   }
   for (const measure::PartBox& box : measure::part_boxes(mesh, figure)) parts.boxes.push_back(box_json(box));
   const measure::BodyMeasures taken = TRY(measured(mesh, floor));
@@ -159,8 +160,8 @@ std::vector<json::JsonMember> figure_members(const geometry::TriangleMesh& mesh,
           {"why", std::move(why)},
           {"vertices", count_of(mesh.vertices.size())},
           {"triangles", count_of(mesh.triangles.size())},
-          {"low", vector_json(extent.low)},
-          {"high", vector_json(extent.high)},
+          {"low", place_json(extent.low)},
+          {"high", place_json(extent.high)},
           {"measures", std::move(parts.measures)},
           {"landmarks", std::move(parts.landmarks)},
           {"boxes", std::move(parts.boxes)}};
@@ -174,7 +175,7 @@ static json::JsonValue landmarks_json(const project::ProjectBody& body,
   for (const measure::Landmark& mark : *landmarks) {
     const bool own = std::any_of(body.landmarks.begin(), body.landmarks.end(),
                                  [&](const project::ProjectLandmark& one) { return one.name == mark.name; });
-    std::vector<json::JsonMember> one{{"name", mark.name}, {"place", vector_json(mark.place)}};
+    std::vector<json::JsonMember> one{{"name", mark.name}, {"place", place_json(mark.place)}};
     if (own) one.push_back({"own", true});
     out.emplace_back(std::move(one));
   }

@@ -48,7 +48,7 @@ json::JsonValue source_of(const dxf::DxfPiece& piece, const dxf::DxfDrawing& dra
   return from;
 }
 
-json::JsonValue points_json(const std::vector<Vec2>& points) {
+json::JsonValue drawn_json(const std::vector<Vec2>& points) {
   const auto fine = [](double v) { return rounded(v, 2); };
   std::vector<json::JsonValue> out;
   out.reserve(points.size());
@@ -61,11 +61,10 @@ void add_picture(const Result<pattern::Panel>& panel, std::vector<json::JsonMemb
   constexpr double kFlat = 0.2;  // mm
   std::vector<json::JsonValue> holes;
   if (panel) {
-    for (const pattern::Loop& hole : panel->holes)
-      holes.push_back(points_json(pattern::flatten(hole, kFlat)));
+    for (const pattern::Loop& hole : panel->holes) holes.push_back(drawn_json(pattern::flatten(hole, kFlat)));
   }
   piece.push_back(
-      {"points", points_json(panel ? pattern::flatten(panel->outline, kFlat) : std::vector<Vec2>{})});
+      {"points", drawn_json(panel ? pattern::flatten(panel->outline, kFlat) : std::vector<Vec2>{})});
   piece.push_back({"hole_points", std::move(holes)});
 }
 
@@ -78,7 +77,7 @@ void add_edge_points(const pattern::Panel& panel, std::vector<json::JsonMember>&
     auto& list = std::get<std::vector<json::JsonValue>>(member.value.data);
     for (std::size_t i = 0; i < list.size() && i < edges.size(); ++i) {
       auto& edge = std::get<std::vector<json::JsonMember>>(list[i].data);
-      edge.push_back({"points", points_json(pattern::flatten(*edges[i], kFlat))});
+      edge.push_back({"points", drawn_json(pattern::flatten(*edges[i], kFlat))});
     }
   }
 }

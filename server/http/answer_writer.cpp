@@ -1,8 +1,6 @@
 #include "server/http/answer_writer.h"
 
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/buffer.hpp>
-#include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/http/write.hpp>
 
@@ -16,6 +14,7 @@
 #include "server/http/event_text.h"
 #include "server/http/problem.h"
 #include "server/ws/on_pool.h"
+#include "server/ws/tuple.h"
 
 namespace toile::http {
 namespace {
@@ -23,7 +22,6 @@ namespace {
 namespace asio = boost::asio;
 namespace http = boost::beast::http;
 
-constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 constexpr std::size_t kPieceBytes = 256 << 10;  // what a connection that does not read can hold
 
 // In this file nothing that must be destroyed is made within an awaited call: GCC 12 destroys such
@@ -85,7 +83,7 @@ asio::awaitable<bool> AnswerWriter::write(AnswerHeader& header, const HttpRespon
     whole += response.body;
     co_return co_await write_bytes(whole);
   }
-  const auto [failure, size] = co_await http::async_write_header(line_, serializer, kTuple);
+  const auto [failure, size] = co_await http::async_write_header(line_, serializer, ws::kTuple);
   if (failure) co_return false;
   if (!follows) co_return true;
   if (response.file) co_return co_await write_file(*response.file);
@@ -96,7 +94,7 @@ asio::awaitable<bool> AnswerWriter::write_bytes(std::string_view bytes) {
   while (!bytes.empty()) {
     const std::string_view piece = bytes.substr(0, kPieceBytes);
     line_.expires_after(piece_within_);
-    const auto [failure, size] = co_await asio::async_write(line_, asio::buffer(piece), kTuple);
+    const auto [failure, size] = co_await asio::async_write(line_, asio::buffer(piece), ws::kTuple);
     if (failure) co_return false;
     bytes.remove_prefix(piece.size());
   }

@@ -1,12 +1,10 @@
 #include "server/http/client.h"
 
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ssl/host_name_verification.hpp>
-#include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
@@ -25,6 +23,7 @@
 #include "server/http/tls.h"
 #include "server/http/url.h"
 #include "server/ws/line.h"
+#include "server/ws/tuple.h"
 
 namespace toile::http {
 namespace {
@@ -33,8 +32,6 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
 using asio::ip::tcp;
-
-constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 
 bool may_repeat(const HttpClient::Request& request) {
   const auto is_key = [](const auto& header) { return header.first == "Idempotency-Key"; };
@@ -70,7 +67,7 @@ struct HttpClient::Impl {
   asio::awaitable<boost::system::error_code> connect(std::chrono::seconds within) {
     tcp::resolver resolver(io);
     const std::string name = host.starts_with('[') ? host.substr(1, host.size() - 2) : host;
-    const auto [unknown, found] = co_await resolver.async_resolve(name, port, kTuple);
+    const auto [unknown, found] = co_await resolver.async_resolve(name, port, ws::kTuple);
     if (unknown) co_return unknown;
     // What is looked at is what is connected to: a name is not asked for again.
     std::vector<tcp::endpoint> places;
@@ -81,7 +78,7 @@ struct HttpClient::Impl {
     stream.emplace(beast::tcp_stream(io), tls.get());
     buffer.clear();
     stream->expires_after(std::min(within, std::chrono::seconds(10)));
-    const auto [failure, place] = co_await stream->next_layer().async_connect(places, kTuple);
+    const auto [failure, place] = co_await stream->next_layer().async_connect(places, ws::kTuple);
     boost::system::error_code unmet = failure;
     if (!unmet && tls) unmet = co_await meet(name);
     if (unmet) stream.reset();
@@ -98,7 +95,7 @@ struct HttpClient::Impl {
       co_return asio::error::invalid_argument;
     line.set_verify_callback(asio::ssl::host_name_verification(name), failure);
     if (failure) co_return failure;
-    const auto [unmet] = co_await line.async_handshake(asio::ssl::stream_base::client, kTuple);
+    const auto [unmet] = co_await line.async_handshake(asio::ssl::stream_base::client, ws::kTuple);
     co_return unmet;
   }
 
@@ -106,11 +103,11 @@ struct HttpClient::Impl {
                                                       HttpReply& reply) {
     http::request<http::string_body> message = message_of(request);
     stream->expires_after(within);
-    const auto [unsent, sent] = co_await http::async_write(*stream, message, kTuple);
+    const auto [unsent, sent] = co_await http::async_write(*stream, message, ws::kTuple);
     http::response_parser<http::string_body> parser;
     parser.body_limit(request.most_reply_bytes);
     // A server that refuses may answer and close before it has read everything.
-    const auto [failure, read] = co_await http::async_read(*stream, buffer, parser, kTuple);
+    const auto [failure, read] = co_await http::async_read(*stream, buffer, parser, ws::kTuple);
     if (failure) {
       stream.reset();
       co_return failure == beast::error::timeout || !unsent ? failure : unsent;

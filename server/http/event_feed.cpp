@@ -1,8 +1,6 @@
 #include "server/http/event_feed.h"
 
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/use_awaitable.hpp>
 
 #include <sys/socket.h>
 
@@ -10,13 +8,13 @@
 
 #include "server/http/event_text.h"
 #include "server/ws/on_pool.h"
+#include "server/ws/tuple.h"
 
 namespace toile::http {
 namespace {
 
 namespace asio = boost::asio;
 
-constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 constexpr auto kLookEvery = std::chrono::milliseconds(250);
 constexpr auto kSignEvery = std::chrono::seconds(15);  // so that proxies and we see that the other side lives
 constexpr int kAtOnce = 100;
@@ -57,7 +55,7 @@ asio::awaitable<void> EventFeed::run() {
     const bool good = co_await may_go_on();
     if (!good || over_) break;
     asio::steady_timer pause(line_.get_executor(), kLookEvery);
-    co_await pause.async_wait(kTuple);
+    co_await pause.async_wait(ws::kTuple);
   }
   boost::system::error_code ignored;
   line_.socket().cancel(ignored);

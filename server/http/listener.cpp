@@ -1,11 +1,9 @@
 #include "server/http/listener.h"
 
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/strand.hpp>
-#include <boost/asio/use_awaitable.hpp>
 
 #include <chrono>
 #include <memory>
@@ -14,14 +12,13 @@
 #include "server/http/address_rules.h"
 #include "server/http/session.h"
 #include "server/http/thrown.h"
+#include "server/ws/tuple.h"
 
 namespace toile::http {
 namespace {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
-
-constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 
 }  // namespace
 
@@ -66,11 +63,11 @@ bool Listener::is_stranger(const asio::ip::address& other, const asio::ip::addre
 
 asio::awaitable<void> Listener::accept_all() {
   while (acceptor_.is_open()) {
-    auto [failure, socket] = co_await acceptor_.async_accept(asio::make_strand(io_), kTuple);
+    auto [failure, socket] = co_await acceptor_.async_accept(asio::make_strand(io_), ws::kTuple);
     if (failure == asio::error::operation_aborted) break;
     if (failure) {  // no more descriptors, most likely: some will be free again
       asio::steady_timer pause(acceptor_.get_executor(), std::chrono::milliseconds(100));
-      co_await pause.async_wait(kTuple);
+      co_await pause.async_wait(ws::kTuple);
       continue;
     }
     boost::system::error_code gone;

@@ -1,8 +1,6 @@
 #include "server/http/request_reader.h"
 
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/buffer.hpp>
-#include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/http/read.hpp>
 
@@ -13,6 +11,7 @@
 #include <utility>
 
 #include "server/http/problem.h"
+#include "server/ws/tuple.h"
 
 namespace toile::http {
 namespace {
@@ -23,7 +22,6 @@ namespace http = beast::http;
 using Failure = boost::system::error_code;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 constexpr std::size_t kBufferBytes = 64 << 10;
 
 // In this file nothing that must be destroyed is made within an awaited call: GCC 12 destroys such
@@ -50,7 +48,7 @@ RequestReader::RequestReader(ws::Line line, const ServerSettings& settings)
 
 asio::awaitable<bool> RequestReader::wait() {
   line_.expires_after(settings_.idle_within);
-  const auto [failure, size] = co_await line_.async_read_some(buffer_.prepare(4096), kTuple);
+  const auto [failure, size] = co_await line_.async_read_some(buffer_.prepare(4096), ws::kTuple);
   if (failure) co_return false;
   buffer_.commit(size);
   co_return true;
@@ -63,7 +61,7 @@ asio::awaitable<Failure> RequestReader::read_header(RequestParser& parser) {
   line_.expires_after(settings_.header_within);
   std::size_t total = 0;
   while (!parser.is_header_done()) {
-    const auto [failure, size] = co_await http::async_read_some(line_, buffer_, parser, kTuple);
+    const auto [failure, size] = co_await http::async_read_some(line_, buffer_, parser, ws::kTuple);
     if (failure) co_return failure;
     total += size;
     if (total > settings_.most_header_bytes) co_return make_error_code(http::error::header_limit);
@@ -75,7 +73,7 @@ asio::awaitable<Failure> RequestReader::read_body(RequestParser& parser, std::si
   parser.body_limit(most);
   if (beast::iequals(parser.get()[http::field::expect], "100-continue")) {
     static constexpr std::string_view kGoOn = "HTTP/1.1 100 Continue\r\n\r\n";
-    const auto [failure, size] = co_await asio::async_write(line_, asio::buffer(kGoOn), kTuple);
+    const auto [failure, size] = co_await asio::async_write(line_, asio::buffer(kGoOn), ws::kTuple);
     if (failure) co_return failure;
   }
   co_return co_await read_all(parser, taken);
@@ -86,7 +84,7 @@ asio::awaitable<Failure> RequestReader::read_all(RequestParser& parser, Taken& t
   parser.eager(true);
   while (!parser.is_done()) {
     line_.expires_after(settings_.body_pause_within);
-    const auto [failure, size] = co_await http::async_read_some(line_, buffer_, parser, kTuple);
+    const auto [failure, size] = co_await http::async_read_some(line_, buffer_, parser, ws::kTuple);
     if (failure) co_return failure;
     const std::size_t has = parser.get().body().size();
     if (!taken.have(has)) co_return kNoRoom;
@@ -105,7 +103,7 @@ asio::awaitable<void> RequestReader::linger() {
   buffer_.clear();
   line_.expires_after(kLongest);
   for (std::size_t seen = 0; seen < kMostBytes;) {
-    const auto [failure, size] = co_await line_.async_read_some(buffer_.prepare(kBufferBytes), kTuple);
+    const auto [failure, size] = co_await line_.async_read_some(buffer_.prepare(kBufferBytes), ws::kTuple);
     if (failure) break;
     seen += size;
   }

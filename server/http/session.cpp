@@ -1,8 +1,6 @@
 #include "server/http/session.h"
 
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
 #include <exception>
@@ -15,14 +13,13 @@
 #include "server/http/problem.h"
 #include "server/http/request_header.h"
 #include "server/ws/on_pool.h"
+#include "server/ws/tuple.h"
 
 namespace toile::http {
 namespace {
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
-
-constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 
 // In this file nothing that must be destroyed is made within an awaited call: GCC 12 destroys such
 // temporaries twice.
@@ -73,7 +70,7 @@ asio::awaitable<bool> HttpSession::shake_hands() {
   if (stream_.tls() == nullptr) co_return true;
   idle_ = true;  // a stop ends it
   stream_.expires_after(context_.settings.header_within);
-  const auto [failure] = co_await stream_.tls()->async_handshake(asio::ssl::stream_base::server, kTuple);
+  const auto [failure] = co_await stream_.tls()->async_handshake(asio::ssl::stream_base::server, ws::kTuple);
   idle_ = false;
   co_return !failure;
 }
@@ -83,7 +80,7 @@ asio::awaitable<void> HttpSession::say_good_bye() {
   if (stream_.tls() == nullptr || !stream_.socket().is_open()) co_return;
   idle_ = true;
   stream_.expires_after(std::chrono::seconds(1));
-  co_await stream_.tls()->async_shutdown(kTuple);
+  co_await stream_.tls()->async_shutdown(ws::kTuple);
   idle_ = false;
 }
 

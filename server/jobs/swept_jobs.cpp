@@ -45,7 +45,7 @@ Status check_size_of(const SweepWish& wish) {
 }
 
 /// The garment of a row, before it is cut.
-struct Row {
+struct SweepRow {
   store::ProjectRow kept;
   project::Project was, now;  ///< as the project has it, and on the row's body
   documents::ProjectFileMap files;
@@ -59,7 +59,7 @@ Result<store::ProjectRow> project_of(documents::Documents& documents, const stor
   return Error{"store.not_found", "there is no project " + in_quotes(id), where, ErrorKind::kNotFound};
 }
 
-std::string label_of(const Row& row, const SweepBody& wish, const std::string& body_id) {
+std::string label_of(const SweepRow& row, const SweepBody& wish, const std::string& body_id) {
   if (!wish.label.empty()) return wish.label;
   if (!wish.project_id.empty() && !wish.body) return row.kept.name;
   for (const project::ProjectBody& body : row.now.bodies)
@@ -67,9 +67,9 @@ std::string label_of(const Row& row, const SweepBody& wish, const std::string& b
   return row.kept.name;
 }
 
-Result<Row> row_of(documents::Documents& documents, const store::RequestContext& context,
-                   const SweepWish& wish, const SweepBody& asked, const std::string& where) {
-  Row row;
+Result<SweepRow> sweep_row_of(documents::Documents& documents, const store::RequestContext& context,
+                              const SweepWish& wish, const SweepBody& asked, const std::string& where) {
+  SweepRow row;
   const bool own = asked.project_id.empty();
   row.kept = TRY(project_of(documents, context, own ? wish.project_id : asked.project_id,
                             own ? "/project_id" : where + "/project_id"));
@@ -92,14 +92,14 @@ Result<Row> row_of(documents::Documents& documents, const store::RequestContext&
 }
 
 /// The project's own text where nothing is another, so that equal drapes have equal inputs.
-Result<std::string> document_of(const Row& row, const project::Project& wanted) {
+Result<std::string> document_of(const SweepRow& row, const project::Project& wanted) {
   if (wanted == row.was) return row.kept.document;
   project::WrittenProject written = TRY(project::write_checked(wanted));
   return std::move(written.line);
 }
 
 Result<store::JobRow> cell_of(documents::Documents& documents, const store::RequestContext& context,
-                              const Row& row, const SweepFabric& asked, const JobLimits& limits,
+                              const SweepRow& row, const SweepFabric& asked, const JobLimits& limits,
                               const std::string& fabric_at, const std::string& body_at) {
   project::Project wanted = row.now;
   if (!asked.fabric.empty()) {
@@ -117,7 +117,7 @@ Result<store::JobRow> cell_of(documents::Documents& documents, const store::Requ
   return job;
 }
 
-std::string fabric_label(const Row& row, const SweepFabric& asked) {
+std::string fabric_label(const SweepRow& row, const SweepFabric& asked) {
   if (!asked.label.empty()) return asked.label;
   return asked.fabric.empty() ? sweep::main_fabric(row.was) : asked.fabric;
 }
@@ -145,7 +145,7 @@ Result<store::SweptJobs> swept_jobs(documents::Documents& documents, const store
   std::set<std::string> bodies, fabrics;
   for (std::size_t b = 0; b < wish.bodies.size(); ++b) {
     const std::string body_at = place("bodies", b);
-    const Row row = TRY(row_of(documents, context, wish, wish.bodies[b], body_at));
+    const SweepRow row = TRY(sweep_row_of(documents, context, wish, wish.bodies[b], body_at));
     TRY(take_label(bodies, swept.sweep.bodies, row.label, body_at));
     for (std::size_t f = 0; f < wish.fabrics.size(); ++f) {
       const std::string fabric_at = place("fabrics", f);

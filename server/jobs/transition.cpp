@@ -6,7 +6,7 @@
 namespace toile::jobs {
 namespace {
 
-struct Row {
+struct Transition {
   store::JobState from;
   JobEvent event;
   store::JobState to;
@@ -25,7 +25,7 @@ constexpr JobEffects kToFront{.persist = true, .queue = QueuePlace::kFront};
 constexpr JobEffects kLetGoToBack{.persist = true, .queue = QueuePlace::kBack, .interrupt = true};
 
 /// Everything that can happen; what is not here is refused.
-constexpr Row kTable[] = {
+constexpr Transition kTable[] = {
     {kQueued, kClaim, kRunning, kOutOfQueue},
     {kQueued, kPause, kPaused, kOutOfQueue},
     {kQueued, kRequeue, kQueued, kToBack},
@@ -62,7 +62,7 @@ Error refusal(store::JobState state, JobEvent event) {
 }  // namespace
 
 Result<JobTransition> next_state(store::JobState state, JobEvent event) {
-  for (const Row& row : kTable) {
+  for (const Transition& row : kTable) {
     if (row.from == state && row.event == event) return JobTransition{row.to, row.effects};
   }
   return refusal(state, event);

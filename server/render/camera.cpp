@@ -14,8 +14,8 @@ constexpr double kElevation = 0.10;   // radians above the horizon: hems and sho
 constexpr double kLyingElevation = 0.60;  // the same for what lies flat
 constexpr double kGarmentMargin = 0.25;   // free share of the picture, of the garment's extent
 constexpr double kBodyMargin = 0.10;
-constexpr double kNearest = 0.01, kFarthest = 100;  // m that an own camera stands off
-constexpr double kUpright = 0.9995;                 // cosine to the upright at which it looks straight down
+constexpr double kNearest = 0.01, kFarthestEye = 100;  // m that an own camera stands off
+constexpr double kUpright = 0.9995;       // cosine to the upright at which it looks straight down
 constexpr double kWholeBodyWithin = 1.4;  // show all of the body when it costs no more than this in scale
 
 struct NamedView {
@@ -153,7 +153,8 @@ Result<Camera> camera_at(const Scene& scene, const Viewpoint& from, double aspec
   const Aabb3& box = cloth.empty() ? all : cloth;
   const Vec3 target = from.target.value_or(box.empty() ? Vec3{} : box.middle());
   const Vec3 back = from.eye - target;
-  if (!is_finite(from.eye) || !is_finite(target) || !(length(back) >= kNearest && length(back) <= kFarthest))
+  if (!is_finite(from.eye) || !is_finite(target) ||
+      !(length(back) >= kNearest && length(back) <= kFarthestEye))
     return Error{"render.camera", "a camera stands 1 cm to 100 m off what it looks at", "eye"};
   if (!(from.angle >= 1 && from.angle <= 120))
     return Error{"render.camera", "a camera sees 1 to 120 degrees", "angle"};

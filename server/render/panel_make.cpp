@@ -7,7 +7,7 @@
 namespace toile::render {
 namespace {
 
-constexpr double kHem = 0.018;             // m
+constexpr double kHemDepth = 0.018;        // m
 constexpr double kHemShare = 0.15;         // of a piece's breadth, at most
 constexpr double kLeastThickness = 1e-4;   // m
 constexpr double kStitchedDown = 0.65e-3;  // m of thickness: coats, denim
@@ -37,7 +37,7 @@ std::vector<PanelMake> panel_makes(const ClothView& cloth) {
   for (const double breadth : breadths(cloth, static_cast<std::size_t>(last) + 1)) {
     const std::size_t p = makes.size();
     const double thickness = static_cast<double>(look_of(cloth, static_cast<Index>(p)).thickness);
-    makes.push_back({std::max(thickness, kLeastThickness), std::min(kHem, kHemShare * breadth),
+    makes.push_back({std::max(thickness, kLeastThickness), std::min(kHemDepth, kHemShare * breadth),
                      thickness >= kStitchedDown ? kBeside : 0});
   }
   return makes;

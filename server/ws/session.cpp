@@ -1,10 +1,8 @@
 #include "server/ws/session.h"
 
-#include <boost/asio/as_tuple.hpp>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/experimental/awaitable_operators.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 
@@ -13,6 +11,7 @@
 
 #include "server/ws/job_message.h"
 #include "server/ws/on_pool.h"
+#include "server/ws/tuple.h"
 
 namespace toile::ws {
 namespace {
@@ -21,7 +20,6 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
-constexpr auto kTuple = asio::as_tuple(asio::use_awaitable);
 constexpr std::size_t kMostMessageBytes = 4096;  // of what a viewer says
 /// What the kernel keeps for a slow viewer. More would only let it see older frames.
 constexpr int kSendBufferBytes = 128 << 10;

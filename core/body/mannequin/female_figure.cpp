@@ -5,7 +5,7 @@ namespace {
 
 // Columns: t, centre u, centre v, half width, front depth, back depth, squareness front, squareness back.
 
-constexpr LoftSection kTorso[] = {
+constexpr LoftSection kFemaleTorso[] = {
     {0.460, 0, -0.0110, 0.036, 0.024, 0.026, 0, 0},
     {0.4742, 0, -0.0125, 0.070, 0.040, 0.0345, 0, 0},
     {0.4921, 0, -0.0131, 0.0955, 0.0535, 0.0445, 0.08, 0.10},
@@ -24,7 +24,7 @@ constexpr LoftSection kTorso[] = {
     {0.8423, 0, -0.0214, 0.0415, 0.0285, 0.0298, 0, 0},
 };
 
-constexpr LoftSection kYoke[] = {
+constexpr LoftSection kFemaleYoke[] = {
     {0, 0.8107, -0.0179, 0.0292, 0.0320, 0.0333, 0, 0},
     {0.0208, 0.8131, -0.0179, 0.0304, 0.0325, 0.0345, 0, 0},
     {0.0387, 0.8145, -0.019, 0.0305, 0.0325, 0.0350, 0, 0},
@@ -35,14 +35,14 @@ constexpr LoftSection kYoke[] = {
     {0.1208, 0.778, -0.0185, 0.0215, 0.0221, 0.0214, 0, 0},
 };
 
-constexpr LoftSection kNeck[] = {
+constexpr LoftSection kFemaleNeck[] = {
     {0.7917, 0, -0.0179, 0.0417, 0.0330, 0.0357, 0, 0}, {0.8214, 0, -0.0175, 0.0352, 0.0300, 0.0321, 0, 0},
     {0.8393, 0, -0.0119, 0.0310, 0.0300, 0.0316, 0, 0}, {0.8571, 0, -0.006, 0.0293, 0.0302, 0.0310, 0, 0},
     {0.878, 0, 0, 0.0288, 0.0290, 0.0318, 0, 0},        {0.9048, 0, 0.0036, 0.0290, 0.0264, 0.0330, 0, 0},
     {0.9375, 0, 0.006, 0.0274, 0.0202, 0.0274, 0, 0},
 };
 
-constexpr LoftSection kHead[] = {
+constexpr LoftSection kFemaleHead[] = {
     {0.8702, 0, 0.0450, 0.0150, 0.0150, 0.0169, 0, 0}, {0.8767, 0, 0.0423, 0.0215, 0.0232, 0.0240, 0, 0},
     {0.8858, 0, 0.0365, 0.0275, 0.0322, 0.0324, 0, 0}, {0.8988, 0, 0.0287, 0.0330, 0.0418, 0.0415, 0, 0},
     {0.9143, 0, 0.0209, 0.0378, 0.0510, 0.0487, 0, 0}, {0.9299, 0, 0.0170, 0.0408, 0.0552, 0.0552, 0, 0},
@@ -51,7 +51,7 @@ constexpr LoftSection kHead[] = {
     {1.0000, 0, 0.0144, 0.0436, 0.0545, 0.0565, 0, 0},
 };
 
-constexpr LoftSection kArm[] = {
+constexpr LoftSection kFemaleArm[] = {
     {-0.0268, -0.0083, 0, 0.0107, 0.0131, 0.0131, 0, 0},
     {-0.0119, -0.006, 0, 0.0173, 0.0185, 0.0185, 0, 0},
     {0.006, -0.003, 0, 0.0225, 0.0234, 0.0240, 0, 0},
@@ -69,7 +69,7 @@ constexpr LoftSection kArm[] = {
     {0.3333, 0, 0.0179, 0.0107, 0.0165, 0.0157, 0, 0},
 };
 
-constexpr LoftSection kHand[] = {
+constexpr LoftSection kFemaleHand[] = {
     {0.2946, 0, 0.0161, 0.0108, 0.0150, 0.0146, 0.1, 0.1},
     {0.3125, 0, 0.0167, 0.0110, 0.0160, 0.0152, 0.15, 0.15},
     {0.3274, -0.0004, 0.0176, 0.0112, 0.0192, 0.0180, 0.195, 0.195},
@@ -80,7 +80,7 @@ constexpr LoftSection kHand[] = {
     {0.4185, -0.0104, 0.0174, 0.0066, 0.0148, 0.0155, 0.195, 0.195},
 };
 
-constexpr LoftSection kLeg[] = {
+constexpr LoftSection kFemaleLeg[] = {
     {0.0179, 0.0905, -0.0155, 0.0172, 0.0191, 0.0178, 0.053, 0.053},
     {0.0357, 0.0895, -0.0155, 0.0182, 0.0215, 0.0205, 0.053, 0.053},
     {0.0595, 0.0880, -0.0167, 0.0168, 0.0186, 0.0192, 0.053, 0.053},
@@ -102,7 +102,7 @@ constexpr LoftSection kLeg[] = {
     {0.5600, 0.0380, -0.0060, 0.0214, 0.0230, 0.0210, 0.053, 0.053},
 };
 
-constexpr LoftSection kFoot[] = {
+constexpr LoftSection kFemaleFoot[] = {
     {-0.0238, 0, 0.0113, 0.0150, 0.0185, 0.0113, 0.103, 0.483},
     {-0.0131, 0, 0.0149, 0.0178, 0.0244, 0.0149, 0.103, 0.483},
     {0.003, 0, 0.0167, 0.0186, 0.0273, 0.0167, 0.103, 0.483},
@@ -115,7 +115,7 @@ constexpr LoftSection kFoot[] = {
     {0.122, -0.0060, 0.0052, 0.0190, 0.0085, 0.0052, 0.103, 0.483},
 };
 
-constexpr Stroke kStrokes[] = {
+constexpr Stroke kFemaleStrokes[] = {
     // Back: spine, shoulder blades, dimples, the parting of the buttocks.
     {Carrier::kTrunk, {0, 0.575, -0.045}, {0, 0.770, -0.066}, 0.020, -0.0032},
     {Carrier::kTrunk, {0.047, 0.752, -0.064}, {0.040, 0.790, -0.060}, 0.030, 0.0030},
@@ -133,19 +133,19 @@ constexpr Stroke kStrokes[] = {
     {Carrier::kTrunk, {0.072, 0.735, 0.030}, {0.085, 0.765, 0.012}, 0.022, 0.0014},
 };
 
-constexpr Figure kFigure{
-    kTorso,
-    kYoke,
-    kNeck,
-    kHead,
-    kArm,
-    kHand,
-    kLeg,
-    kFoot,
+constexpr Figure kFemaleFigure{
+    kFemaleTorso,
+    kFemaleYoke,
+    kFemaleNeck,
+    kFemaleHead,
+    kFemaleArm,
+    kFemaleHand,
+    kFemaleLeg,
+    kFemaleFoot,
     {{0.0410, 0.7150, 0.0190}, {0.0370, 0.0360, 0.0548}, {0.0390, 0.0640, 0.0500}, 0.0200},
     {{0.0445, 0.5130, -0.0345}, {0.0470, 0.0520, 0.0410}, {0.0440, 0.0685, 0.0425}, 0.0298},
     1.5,
-    kStrokes,
+    kFemaleStrokes,
     {0.0893, 0.7917, -0.019},
     0.1756,
     0.3125,
@@ -164,6 +164,6 @@ constexpr Figure kFigure{
 
 }  // namespace
 
-const Figure& female_figure() { return kFigure; }
+const Figure& female_figure() { return kFemaleFigure; }
 
 }  // namespace toile::mannequin

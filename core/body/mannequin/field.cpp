@@ -8,15 +8,10 @@ namespace {
 
 constexpr double kMidline = 0.0024;  // rounds the crease where the two halves meet
 constexpr double kLegsMeet = 0.022;  // radius of the union of the two legs
-constexpr size_t kLeg = 1, kTrunkParts = 2;
+constexpr size_t kLegPart = 1, kTrunkParts = 2;
 constexpr double kThumbBlend = 0.018, kThumbRoot = 0.0088, kThumbTip = 0.0064;
 constexpr double kRidgeStep = 0.02;  // height of the shelves on which ridges are kept
 constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
-
-double smooth_step(double low, double high, double x) {
-  const double s = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return s * s * (3 - 2 * s);
-}
 
 FieldSample ellipsoid_at(const SoftEllipsoid& e, Vec3 p) {
   const Vec3 d = p - e.centre;
@@ -119,10 +114,10 @@ void BodyField::join(FieldSample& body, const Part& part, Vec3 p) {
 FieldSample BodyField::half_at(Vec3 p) const {
   FieldSample body = parts_[0].loft.at({p.x, p.z, p.y});
   body.gradient = {body.gradient.x, body.gradient.z, body.gradient.y};
-  join(body, parts_[kLeg], p);
+  join(body, parts_[kLegPart], p);
   if (p.x < kLegsMeet) {
     // The other leg: their union rounds the arch between them.
-    FieldSample other = parts_[kLeg].loft.at({-p.x, p.z, p.y});
+    FieldSample other = parts_[kLegPart].loft.at({-p.x, p.z, p.y});
     other.gradient = {-other.gradient.x, other.gradient.z, other.gradient.y};
     body = smooth_union(body, other, kLegsMeet);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 
 #include "core/base/types.h"
@@ -18,6 +19,12 @@ struct SurfacePoint {
   Vec3 normal;         ///< unit, outwards
   bool found = false;  ///< whether the steps arrived
 };
+
+/// From 0 at `low` to 1 at `high`, level beyond both.
+inline double smooth_step(double low, double high, double x) {
+  const double s = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return s * s * (3 - 2 * s);
+}
 
 using ImplicitSurface = std::function<FieldSample(Vec3)>;
 

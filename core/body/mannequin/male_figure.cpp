@@ -5,7 +5,7 @@ namespace {
 
 // Columns: t, centre u, centre v, half width, front depth, back depth, squareness front, squareness back.
 
-constexpr LoftSection kTorso[] = {
+constexpr LoftSection kMaleTorso[] = {
     {0.460, 0, -0.0110, 0.036, 0.026, 0.024, 0, 0},
     {0.4775, 0, -0.0125, 0.070, 0.043, 0.0320, 0, 0},
     {0.4927, 0, -0.0124, 0.0910, 0.0545, 0.0415, 0.08, 0.10},
@@ -23,7 +23,7 @@ constexpr LoftSection kTorso[] = {
     {0.8427, 0, -0.0225, 0.0506, 0.0292, 0.0314, 0, 0},
 };
 
-constexpr LoftSection kYoke[] = {
+constexpr LoftSection kMaleYoke[] = {
     {0, 0.8067, -0.0202, 0.032, 0.0340, 0.0343, 0, 0},
     {0.0225, 0.8101, -0.0202, 0.0337, 0.0345, 0.036, 0, 0},
     {0.0421, 0.8129, -0.0213, 0.0340, 0.0345, 0.0366, 0, 0},
@@ -34,14 +34,14 @@ constexpr LoftSection kYoke[] = {
     {0.1326, 0.7725, -0.0197, 0.0242, 0.0253, 0.0236, 0, 0},
 };
 
-constexpr LoftSection kNeck[] = {
+constexpr LoftSection kMaleNeck[] = {
     {0.7865, 0, -0.0202, 0.0478, 0.0350, 0.036, 0, 0},  {0.8174, 0, -0.0191, 0.0410, 0.0330, 0.0337, 0, 0},
     {0.8371, 0, -0.0135, 0.0356, 0.0330, 0.0331, 0, 0}, {0.8539, 0, -0.0067, 0.0336, 0.0337, 0.0332, 0, 0},
     {0.8764, 0, -0.0011, 0.0330, 0.0326, 0.0337, 0, 0}, {0.9045, 0, 0.0022, 0.0322, 0.0293, 0.0325, 0, 0},
     {0.9382, 0, 0.0045, 0.0292, 0.0213, 0.027, 0, 0},
 };
 
-constexpr LoftSection kHead[] = {
+constexpr LoftSection kMaleHead[] = {
     {0.8697, 0, 0.0470, 0.0170, 0.0170, 0.0190, 0, 0},
     {0.8762, 0, 0.0440, 0.0240, 0.0245, 0.0260, 0.05, 0},
     {0.8853, 0, 0.0370, 0.0305, 0.0335, 0.0345, 0.05, 0},
@@ -55,7 +55,7 @@ constexpr LoftSection kHead[] = {
     {1, 0, 0.0125, 0.0434, 0.0548, 0.0566, 0, 0},
 };
 
-constexpr LoftSection kArm[] = {
+constexpr LoftSection kMaleArm[] = {
     {-0.0281, -0.009, 0, 0.0112, 0.0135, 0.0135, 0, 0},
     {-0.0112, -0.0062, 0, 0.0191, 0.0202, 0.0202, 0, 0},
     {0.0067, -0.0028, 0, 0.0255, 0.0264, 0.027, 0, 0},
@@ -73,7 +73,7 @@ constexpr LoftSection kArm[] = {
     {0.3427, 0, 0.018, 0.0112, 0.0180, 0.0170, 0, 0},
 };
 
-constexpr LoftSection kHand[] = {
+constexpr LoftSection kMaleHand[] = {
     {0.3040, 0, 0.0161, 0.0112, 0.0162, 0.0156, 0.1, 0.1},
     {0.3225, 0, 0.0169, 0.0116, 0.0172, 0.0164, 0.15, 0.15},
     {0.3379, -0.0004, 0.0178, 0.0119, 0.0206, 0.0194, 0.195, 0.195},
@@ -84,7 +84,7 @@ constexpr LoftSection kHand[] = {
     {0.4321, -0.0104, 0.0178, 0.0071, 0.0158, 0.0164, 0.195, 0.195},
 };
 
-constexpr LoftSection kLeg[] = {
+constexpr LoftSection kMaleLeg[] = {
     {0.0169, 0.0905, -0.0157, 0.0176, 0.0202, 0.018, 0.053, 0.053},
     {0.0365, 0.0894, -0.0157, 0.0187, 0.0224, 0.0205, 0.053, 0.053},
     {0.059, 0.0879, -0.0169, 0.0175, 0.0193, 0.0196, 0.053, 0.053},
@@ -106,7 +106,7 @@ constexpr LoftSection kLeg[] = {
     {0.5650, 0.0370, -0.0060, 0.0205, 0.0230, 0.0210, 0.053, 0.053},
 };
 
-constexpr LoftSection kFoot[] = {
+constexpr LoftSection kMaleFoot[] = {
     {-0.0246, 0, 0.0117, 0.0156, 0.019, 0.0117, 0.103, 0.483},
     {-0.0135, 0, 0.0154, 0.0185, 0.0252, 0.0154, 0.103, 0.483},
     {0.0031, 0, 0.0173, 0.0194, 0.0282, 0.0173, 0.103, 0.483},
@@ -119,7 +119,7 @@ constexpr LoftSection kFoot[] = {
     {0.126, -0.0061, 0.0054, 0.0198, 0.0087, 0.0054, 0.103, 0.483},
 };
 
-constexpr Stroke kStrokes[] = {
+constexpr Stroke kMaleStrokes[] = {
     // Back: spine, shoulder blades, flanks, the parting of the buttocks.
     {Carrier::kTrunk, {0, 0.575, -0.049}, {0, 0.780, -0.070}, 0.020, -0.0036},
     {Carrier::kTrunk, {0.052, 0.748, -0.069}, {0.044, 0.790, -0.064}, 0.030, 0.0034},
@@ -141,19 +141,19 @@ constexpr Stroke kStrokes[] = {
     {Carrier::kTrunk, {0, 0.472, 0.032}, {0, 0.490, 0.040}, 0.026, 0.0060},
 };
 
-constexpr Figure kFigure{
-    kTorso,
-    kYoke,
-    kNeck,
-    kHead,
-    kArm,
-    kHand,
-    kLeg,
-    kFoot,
+constexpr Figure kMaleFigure{
+    kMaleTorso,
+    kMaleYoke,
+    kMaleNeck,
+    kMaleHead,
+    kMaleArm,
+    kMaleHand,
+    kMaleLeg,
+    kMaleFoot,
     {{0.0400, 0.7500, 0.0090}, {0.0400, 0.0420, 0.0421}, {0.0480, 0.0480, 0.0440}, 0.0400},
     {{0.0416, 0.5150, -0.0330}, {0.0449, 0.0490, 0.0380}, {0.0416, 0.0607, 0.0371}, 0.0281},
     0,
-    kStrokes,
+    kMaleStrokes,
     {0.0989, 0.7930, -0.0202},
     0.1809,
     0.3225,
@@ -172,6 +172,6 @@ constexpr Figure kFigure{
 
 }  // namespace
 
-const Figure& male_figure() { return kFigure; }
+const Figure& male_figure() { return kMaleFigure; }
 
 }  // namespace toile::mannequin

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body/mannequin/field_sample.h"
+
 namespace toile::mannequin {
 namespace {
 
@@ -24,11 +26,6 @@ constexpr double kFingerStroke = 0.007;
 constexpr double kArmRoot = 0.01, kArmClear = 0.07;    // along the arm: where it leaves the trunk
 constexpr double kArmReach = 0.05;                     // from the arm's axis
 constexpr double kRaisedArm = 0.7071, kRaise = 0.045;  // shoulders rise with arms held higher than 45°
-
-double smooth_step(double low, double high, double x) {
-  const double s = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return s * s * (3 - 2 * s);
-}
 
 double mix(double a, double b, double s) { return a + (b - a) * s; }
 double grown(double scale, double share) { return 1 + share * (scale - 1); }

@@ -4,7 +4,7 @@ namespace toile::mannequin {
 namespace {
 
 // Of every figure: head, legs, arms. They are placed by the sections of the figure that carries them.
-constexpr Stroke kStrokes[] = {
+constexpr Stroke kCommonStrokes[] = {
     // Head: brow, eyes, nose, mouth, chin, cheeks, ears.
     {Carrier::kHead, {0.017, 0.9385, 0.066}, {0.021, 0.9385, 0.064}, 0.0145, -0.0036},
     {Carrier::kHead, {0.006, 0.9500, 0.073}, {0.026, 0.9510, 0.063}, 0.010, 0.0012},
@@ -47,7 +47,7 @@ constexpr Stroke kStrokes[] = {
 
 }  // namespace
 
-std::span<const Stroke> common_strokes() { return kStrokes; }
+std::span<const Stroke> common_strokes() { return kCommonStrokes; }
 
 const Figure& figure_of(Sex sex) { return sex == Sex::kFemale ? female_figure() : male_figure(); }
 

@@ -17,9 +17,9 @@ namespace toile::measure {
 namespace {
 
 // Shares of the stature.
-constexpr double kRibs = 0.66;     // below a grown-up's armpit, above any waist that matters here
-constexpr double kLowRibs = 0.60;  // the same of small children, who have arms at the former
-constexpr double kArmJump = 1.35;  // the trunk's breadth grows so much where arms join it
+constexpr double kRibs = 0.66;         // below a grown-up's armpit, above any waist that matters here
+constexpr double kLowRibs = 0.60;      // the same of small children, who have arms at the former
+constexpr double kArmsBroaden = 1.35;  // the trunk's breadth grows so much where arms join it
 
 /// x of the plane of symmetry.
 double middle_plane(const MeshCutter& level, double stature) {
@@ -42,13 +42,13 @@ Vec3 armpit_of(const TrunkLevels& levels) {
   const std::vector<TrunkLevel>& trunk = levels.all();
   std::size_t ribs = levels.index_of(kRibs * levels.stature());
   const std::size_t low_ribs = levels.index_of(kLowRibs * levels.stature());
-  if (trunk[ribs].half > kArmJump * trunk[low_ribs].half) ribs = low_ribs;
+  if (trunk[ribs].half > kArmsBroaden * trunk[low_ribs].half) ribs = low_ribs;
   std::size_t i = ribs;
-  while (i + 1 < trunk.size() && trunk[i + 1].half < kArmJump * trunk[ribs].half) ++i;
+  while (i + 1 < trunk.size() && trunk[i + 1].half < kArmsBroaden * trunk[ribs].half) ++i;
   double low = trunk[i].y, high = low + levels.step();
   for (int round = 0; round < 5; ++round) {
     const double mid = (low + high) / 2;
-    (levels.at(mid).half < kArmJump * trunk[ribs].half ? low : high) = mid;
+    (levels.at(mid).half < kArmsBroaden * trunk[ribs].half ? low : high) = mid;
   }
   const TrunkLevel last = levels.at(low);
   return {levels.middle() + last.half, low, (last.front + last.back) / 2};

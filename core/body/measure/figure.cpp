@@ -15,7 +15,7 @@ namespace {
 // children roughly; what is found there is decided by the mesh.
 constexpr double kScan = 0.0025;
 constexpr double kTrunkDepth = 0.045;  ///< thighs that touch are thinner than this at the mid-plane
-constexpr double kUsualWaist = 0.60, kUnusualWaist = 0.53;  ///< of the way from crotch to armpit
+constexpr double kWaistOfFigure = 0.60, kUnusualOfFigure = 0.53;  ///< of the way from crotch to armpit
 constexpr double kArmJump = 0.022;  ///< half breadth grows by so much where an arm joins the trunk
 constexpr double kHandLow = 0.07, kHandHigh = 0.14;  ///< from the finger tips, where the wrist lies
 constexpr double kUpperArmShare = 0.56;              ///< of the way from the shoulder to the wrist
@@ -125,8 +125,8 @@ class FigureFinder {
     for (double y = std::max(f_.hip + 0.04 * height(), at(0.56));
          y < std::min(armpit - 0.04 * height(), at(0.68)); y += kScan * height()) {
       // As the tape has it: the narrowest, the more so the nearer it is to where waists usually are.
-      const double off = (y - f_.crotch) / (armpit - f_.crotch) - kUsualWaist;
-      const double weighed = girth_at_height(y) * (1 + kUnusualWaist * off * off);
+      const double off = (y - f_.crotch) / (armpit - f_.crotch) - kWaistOfFigure;
+      const double weighed = girth_at_height(y) * (1 + kUnusualOfFigure * off * off);
       if (weighed > 0 && weighed < narrowest) {
         narrowest = weighed;
         f_.waist = y;

@@ -11,7 +11,7 @@
 namespace toile::mesh_import {
 namespace {
 
-constexpr std::size_t kMostCorners = 100;  // of a hole that is filled without a vertex in its middle
+constexpr std::size_t kLongestRing = 100;  // of a hole that is filled without a vertex in its middle
 constexpr double kLeastHole = 1e-12;       // m², area of a hole under which it is a crack
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -207,7 +207,7 @@ std::vector<Tri> fan_filling(geometry::TriangleMesh& mesh, const Ring& ring) {
 EdgeSet edges_among(const geometry::TriangleMesh& mesh, const std::vector<Border>& borders) {
   std::vector<bool> near(mesh.vertices.size(), false);
   for (const Border& border : borders) {
-    if (border.ring.size() > kMostCorners) continue;
+    if (border.ring.size() > kLongestRing) continue;
     for (const Index v : border.ring) near[v] = true;
   }
   EdgeSet edges;
@@ -233,7 +233,7 @@ FilledHoles fill_holes(geometry::TriangleMesh& mesh, const HalfEdges& edges, con
     const bool small = border.ring.size() >= 3 && !shells.one_sided[border.shell] &&
                        length_of(mesh, border.ring) <= most * diagonals[border.shell];
     std::vector<Tri> filling;
-    if (small && border.ring.size() <= kMostCorners) {
+    if (small && border.ring.size() <= kLongestRing) {
       filling = LeastFilling(mesh, border.ring, taken).triangles();
     }
     if (small && filling.empty()) filling = fan_filling(mesh, border.ring);

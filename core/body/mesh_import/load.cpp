@@ -16,15 +16,15 @@
 #include <utility>
 
 #include "core/base/aabb.h"
+#include "core/body/mesh_import/repair.h"
 #include "core/body/mesh_import/sniff.h"
 
 namespace toile::mesh_import {
 namespace {
 
-constexpr int kDeepest = 256;          // levels of the scene's tree
-constexpr double kLeastArea2 = 1e-14;  // m², twice the area under which a triangle is a line
+constexpr int kDeepest = 256;  // levels of the scene's tree
 // Cutting a polygon into triangles costs the square of its corners: half a million of them take minutes.
-constexpr unsigned kMostCorners = 1000;              // of one face; a cap of a cylinder has a hundred
+constexpr unsigned kMostCornersOfFace = 1000;        // of one face; a cap of a cylinder has a hundred
 constexpr std::uint64_t kMostCutting = 200'000'000;  // corners², of all faces together
 
 Error fail(const char* code, std::string message, const std::string& file, const std::string& place = {}) {
@@ -217,7 +217,7 @@ Status check_faces(const aiScene& scene, const std::string& file) {
     for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f) {
       const std::uint64_t corners = scene.mMeshes[m]->mFaces[f].mNumIndices;
       cutting += corners > 4 ? corners * corners : 0;
-      if (corners <= kMostCorners && cutting <= kMostCutting) continue;
+      if (corners <= kMostCornersOfFace && cutting <= kMostCutting) continue;
       return fail(
           "mesh.huge_face",
           "A face has " + std::to_string(corners) +

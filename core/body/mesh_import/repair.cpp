@@ -11,10 +11,9 @@
 namespace toile::mesh_import {
 namespace {
 
-constexpr double kWeld = 2e-5;         // of the diagonal
-constexpr double kHole = 0.35;         // of a shell's diagonal
-constexpr double kLeastArea2 = 1e-14;  // m², twice the area under which a triangle is a line
-constexpr double kFlatShell = 0.01;    // of area^1.5: an open shell with less volume than this has no outside
+constexpr double kWeld = 2e-5;       // of the diagonal
+constexpr double kHole = 0.35;       // of a shell's diagonal
+constexpr double kFlatShell = 0.01;  // of area^1.5: an open shell with less volume than this has no outside
 constexpr std::size_t kMostHollows = 64;  // shells looked at for lying within others
 
 /// The vertices of borders, by x.

@@ -9,6 +9,9 @@
 
 namespace toile::mesh_import {
 
+/// m², twice the area under which a triangle is a line.
+inline constexpr double kLeastArea2 = 1e-14;
+
 /// What was done to a mesh, and how it is now. All zero but `shells` for a mesh that was as it should be.
 struct MeshRepairs {
   int welded = 0;          ///< points of borders, laid on others that were as good as there

@@ -60,13 +60,13 @@ std::vector<Station> stations(const std::vector<Vec2>& loop, std::size_t count) 
 }
 
 /// The place of the loop nearest to a point.
-struct Foot {
+struct NearestPlace {
   double off = 0;  ///< mm
   Vec2 along;      ///< direction of the loop there
 };
 
-Foot foot_on(const std::vector<Vec2>& loop, Vec2 p) {
-  Foot best{length(loop[0] - p), {}};
+NearestPlace nearest_place(const std::vector<Vec2>& loop, Vec2 p) {
+  NearestPlace best{length(loop[0] - p), {}};
   for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
     const Vec2 a = loop[i], b = loop[(i + 1) % n];
     const double off = geometry::distance_to_segment(p, a, b);
@@ -93,7 +93,7 @@ Between between(const DxfLoop& sew, const DxfLoop& cut) {
   constexpr std::size_t kStations = 160;
   Between all;
   for (const Station& s : stations(sew.chain->points, kStations)) {
-    const Foot foot = foot_on(cut.chain->points, s.at);
+    const NearestPlace foot = nearest_place(cut.chain->points, s.at);
     all.astray.push_back(geometry::contains(cut.chain->points, s.at) ? 0 : foot.off);
     const bool beside = foot.off <= kHem && std::abs(dot(foot.along, s.along)) >= kParallel;
     all.parallel += foot.off <= kOnLine || beside ? 1.0 / double(kStations) : 0;

@@ -10,7 +10,7 @@ namespace toile::dxf {
 namespace {
 
 constexpr std::string_view kSentinel("AutoCAD Binary DXF\r\n\x1A\0", 22);
-constexpr std::size_t kLongestText = 4096;  // bytes; what is longer ends no text of a DXF file
+constexpr std::size_t kLongestValue = 4096;  // bytes; what is longer ends no text of a DXF file
 
 /// An unsigned number of so many bytes, the least first; nothing at the end of the file.
 std::optional<std::uint64_t> number(DxfByteSource& bytes, int count) {
@@ -34,7 +34,7 @@ std::optional<int> next_code(DxfByteSource& bytes, DxfCodeWidth width) {
 std::optional<std::string> text(DxfByteSource& bytes) {
   std::string out;
   for (int byte = bytes.take(); byte != 0; byte = bytes.take()) {
-    if (byte < 0 || out.size() == kLongestText) return std::nullopt;
+    if (byte < 0 || out.size() == kLongestValue) return std::nullopt;
     out += static_cast<char>(byte);
   }
   return out;

@@ -16,8 +16,7 @@
 namespace toile::dxf {
 namespace {
 
-constexpr int kDeepest = 8;            // lines within lines within lines
-constexpr int kMostAtOnePlace = 64;    // ends compared around a place
+constexpr int kDeepestBranches = 8;    // lines within lines within lines
 constexpr double kDirectionReach = 2;  // mm along a stroke, where its direction at its end is measured
 
 Index index(std::size_t i) { return static_cast<Index>(i); }
@@ -275,7 +274,7 @@ OuterLoops outer_loops(const StrokeGraph& graph, const Strokes& part, const Plac
 void append(Strokes& list, const Strokes& more) { list.insert(list.end(), more.begin(), more.end()); }
 
 /// What a part that branches holds: strokes that close by themselves, then outer loops, and what hangs
-/// together without those once more, down to kDeepest.
+/// together without those once more, down to kDeepestBranches.
 DxfBranches sorted_out(const StrokeGraph& graph, const Strokes& part) {
   const Repeats repeats = repeats_of(graph, part);
   DxfBranches found;
@@ -287,7 +286,7 @@ DxfBranches sorted_out(const StrokeGraph& graph, const Strokes& part) {
     if (!closes) left.push_back(i);
   }
   Places places;
-  for (int depth = 0; depth < kDeepest && !left.empty(); ++depth) {
+  for (int depth = 0; depth < kDeepestBranches && !left.empty(); ++depth) {
     Strokes rest;
     for (const Strokes& piece : parts_of(graph, left)) {
       OuterLoops outer = outer_loops(graph, piece, places);

@@ -9,6 +9,9 @@
 
 namespace toile::dxf {
 
+/// So many ends are looked through around a place where lines meet.
+inline constexpr int kMostAtOnePlace = 64;
+
 /// One drawn curve that is still open.
 struct DxfStroke {
   std::vector<Vec2> points;  ///< mm, two or more

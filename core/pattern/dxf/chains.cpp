@@ -17,7 +17,6 @@
 namespace toile::dxf {
 namespace {
 
-constexpr int kMostAtOnePlace = 64;    // ends looked through around a joint
 constexpr std::size_t kMostRuns = 64;  // more entities than that are strokes, not edges
 
 /// The links' strokes as one line.

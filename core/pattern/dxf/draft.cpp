@@ -47,8 +47,6 @@ void take_listed(DxfDraft& d, int code, double v) {
   }
 }
 
-bool lists_points(const DxfDraft& d) { return d.type == DxfType::kLwPolyline || is_spline(d); }
-
 /// What is wrong with the number that the group should hold.
 Error number_fault(const DxfDraft& d, const DxfGroup& group, bool is_none) {
   const std::string held = "Group " + std::to_string(group.code) + " of " + d.name + " holds ";
@@ -142,6 +140,8 @@ bool take_words(DxfDraft& d, const DxfGroup& group, DxfEncoding encoding) {
       return false;
   }
 }
+
+bool lists_points(const DxfDraft& d) { return d.type == DxfType::kLwPolyline || is_spline(d); }
 
 bool counts_as_vertex(const DxfDraft& d, int code) {
   return lists_points(d) && (code == 10 || (is_spline(d) && (code == 11 || code == 40)));

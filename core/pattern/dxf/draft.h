@@ -71,6 +71,9 @@ struct DxfDraft {
 /// was one of these.
 bool take_words(DxfDraft& draft, const DxfGroup& group, DxfEncoding encoding);
 
+/// Whether its points come in groups of its own, not as entities.
+bool lists_points(const DxfDraft& draft);
+
 /// Whether the number of this group is one more vertex or knot, of which a file may hold so many.
 bool counts_as_vertex(const DxfDraft& draft, int code);
 

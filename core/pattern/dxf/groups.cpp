@@ -11,7 +11,6 @@ namespace toile::dxf {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;  // the format allows 2049 characters
-constexpr int kMostMends = 100;             // a file with more faults is no DXF file any more
 constexpr int kEnough = 3;                  // groups in a row that fit: there the file is sound again
 constexpr std::size_t kFarthest = 400;      // lines that are passed over to get there
 

@@ -25,6 +25,9 @@ struct DxfGroup {
 /// The code of a group whose own one cannot be read.
 inline constexpr int kLostCode = -1000;
 
+/// A file with more faults than are mended is no DXF file any more.
+inline constexpr int kMostMends = 100;
+
 /// A fault of the file that the reader has read past.
 struct DxfDamage {
   int line = 0;

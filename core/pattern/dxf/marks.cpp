@@ -116,34 +116,22 @@ void place_line(const DxfCurve& curve, const DxfTransform& to_mm, DxfPieces& pie
                     owner->found.id);
 }
 
-/// The outline's point nearest to p.
-Vec2 foot_on(const std::vector<Vec2>& loop, Vec2 p) {
-  Vec2 best = loop[0];
-  for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
-    const Vec2 a = loop[i], d = loop[(i + 1) % n] - a;
-    const double l2 = dot(d, d);
-    const Vec2 at = a + d * (l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0.0);
-    if (length(at - p) < length(best - p)) best = at;
-  }
-  return best;
-}
-
 /// Takes away the notches of the cut line that stand on the sew line too: moved onto it they would be two.
 void part_doubles(DxfPlaced& placed, DxfNotes& notes) {
-  constexpr double kOnLine = 0.5;          // mm
+  constexpr double kOnSewLine = 0.5;       // mm
   constexpr double kSlant = 0.25;          // of the allowance: notches stand about square on the line …
   constexpr double kLeast = 1, kMost = 3;  // … mm; double notches are farther apart
   const std::vector<Vec2>& outline = placed.found.piece.outline;
   const std::vector<pattern::Notch> all = std::exchange(placed.found.piece.notches, {});
   std::vector<Vec2> feet;
   feet.reserve(all.size());
-  for (const pattern::Notch& notch : all) feet.push_back(foot_on(outline, notch.at));
+  for (const pattern::Notch& notch : all) feet.push_back(geometry::nearest_on(outline, notch.at));
   const auto off = [&](std::size_t i) { return length(all[i].at - feet[i]); };
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double reach = std::clamp(kSlant * off(i), kLeast, kMost);
     bool doubled = false;
-    for (std::size_t k = 0; k < all.size() && off(i) > kOnLine; ++k)
-      doubled = doubled || (off(k) <= kOnLine && length(feet[k] - feet[i]) <= reach);
+    for (std::size_t k = 0; k < all.size() && off(i) > kOnSewLine; ++k)
+      doubled = doubled || (off(k) <= kOnSewLine && length(feet[k] - feet[i]) <= reach);
     if (!doubled) placed.found.piece.notches.push_back(all[i]);
     if (doubled)
       notes.mark(placed.notch_entities[i], DxfFate::kDropped, "the sew line has this notch too",

@@ -7,7 +7,6 @@ namespace {
 
 constexpr int kToY = 10;  // from the code of an x to that of its y
 constexpr int kName = 2, kLayer = 8, kFlags = 70, kComment = 999;
-constexpr int kMostMends = 100;  // a file with more faults is no DXF file any more
 
 bool is_x(int code) { return code == 10 || code == 11; }
 
@@ -41,10 +40,6 @@ bool may_hold_word(int code, const DxfDraft& draft) {
 bool is_border(std::string_view value) {
   return value == "SECTION" || value == "ENDSEC" || value == "ENDBLK" || value == "SEQEND" ||
          value == "VERTEX";
-}
-
-bool lists_points(const DxfDraft& draft) {
-  return draft.type == DxfType::kLwPolyline || draft.type == DxfType::kSpline;
 }
 
 /// Whether the entity still lacks the x whose y the code is.

@@ -15,29 +15,12 @@ namespace {
 constexpr double kNotchReach = 60;  // mm between a notch on the cut line and the sew line: a hem's allowance
 constexpr double kTurnReach = 0.5;  // mm
 
-struct Foot {
-  Vec2 at;
-  double off = 0;
-};
-
-/// The outline's point nearest to p.
-Foot foot_on(const std::vector<Vec2>& loop, Vec2 p) {
-  Foot best{loop[0], length(loop[0] - p)};
-  for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
-    const Vec2 a = loop[i], d = loop[(i + 1) % n] - a;
-    const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
-    const Vec2 at = a + d * t;
-    if (length(at - p) < best.off) best = {at, length(at - p)};
-  }
-  return best;
-}
-
 std::vector<pattern::Notch> notches_on_outline(const DxfPiece& piece) {
   std::vector<pattern::Notch> notches;
   for (const pattern::Notch& notch : piece.notches) {
-    const Foot foot = foot_on(piece.outline, notch.at);
-    if (foot.off > (piece.on_sew_line ? kNotchReach : kNotchReach / 4)) continue;
-    notches.push_back({foot.at, notch.depth, notch.inwards});
+    const Vec2 foot = geometry::nearest_on(piece.outline, notch.at);
+    if (length(foot - notch.at) > (piece.on_sew_line ? kNotchReach : kNotchReach / 4)) continue;
+    notches.push_back({foot, notch.depth, notch.inwards});
   }
   return notches;
 }
@@ -74,9 +57,9 @@ Result<pattern::Panel> fitted_panel(const DxfPiece& piece, std::span<const Vec2>
   pattern::OutlineSettings own = settings;
   for (const pattern::Notch& notch : panel.notches) own.curve_ends.push_back(notch.at);
   for (const Vec2 turn : piece.turn_points)
-    if (const Foot foot = foot_on(piece.outline, turn); foot.off <= kTurnReach) {
-      own.curve_ends.push_back(foot.at);
-      own.turn_points.push_back(foot.at);
+    if (const Vec2 foot = geometry::nearest_on(piece.outline, turn); length(foot - turn) <= kTurnReach) {
+      own.curve_ends.push_back(foot);
+      own.turn_points.push_back(foot);
     }
   if (piece.breaks_are_edges) own.further_corners = piece.breaks;
   Result<pattern::Loop> outline = pattern::loop_from_polyline(piece.outline, forced_corners, own);

@@ -12,7 +12,7 @@
 namespace toile::dxf {
 namespace {
 
-constexpr int kDeepest = 8;                  // blocks within blocks
+constexpr int kDeepestBlocks = 8;            // blocks within blocks
 constexpr std::size_t kMostParts = 100'000;  // blocks as they stand in the drawing, all sizes
 
 /// Blocks of the program's own, such as *Model_Space and $Paper_Space.
@@ -68,10 +68,10 @@ void add_parts(const NamedBlocks& named, const DxfBlock& block, const DxfTransfo
   place.parts.push_back({&block, transform});
   for (const DxfInsert& insert : block.inserts) {
     const auto it = named.find(insert.block);
-    if (it == named.end() || depth >= kDeepest) {
+    if (it == named.end() || depth >= kDeepestBlocks) {
       notes.mark(insert.entity, DxfFate::kDropped,
-                 depth >= kDeepest ? "blocks stand in blocks too deeply"
-                                   : "the file does not hold the block that it names");
+                 depth >= kDeepestBlocks ? "blocks stand in blocks too deeply"
+                                         : "the file does not hold the block that it names");
       notes.warn(insert.line, "INSERT of '" + insert.block + "' within a block is left out");
       continue;
     }

@@ -13,14 +13,14 @@ namespace {
 constexpr double kEndReach = 1;  // mm between an end of the sew line and the cut line
 
 /// A place on a closed line: how far it lies behind vertex `segment`, as a share of the segment there.
-struct Foot {
+struct LoopPlace {
   std::size_t segment = 0;
   double share = 0;
 };
 
 /// Where the closed line passes p within reach.
-std::optional<Foot> foot_on(const std::vector<Vec2>& loop, Vec2 p) {
-  std::optional<Foot> best;
+std::optional<LoopPlace> place_within_reach(const std::vector<Vec2>& loop, Vec2 p) {
+  std::optional<LoopPlace> best;
   double nearest = kEndReach;
   for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
     const Vec2 a = loop[i], d = loop[(i + 1) % n] - a;
@@ -28,13 +28,13 @@ std::optional<Foot> foot_on(const std::vector<Vec2>& loop, Vec2 p) {
     if (off > nearest) continue;
     const double l2 = dot(d, d);
     nearest = off;
-    best = Foot{i, l2 > 0 ? std::min(1.0, std::max(0.0, dot(p - a, d) / l2)) : 0};
+    best = LoopPlace{i, l2 > 0 ? std::min(1.0, std::max(0.0, dot(p - a, d) / l2)) : 0};
   }
   return best;
 }
 
 /// The vertices of the closed line on the way from one place to another, in its own direction.
-std::vector<Vec2> way(const std::vector<Vec2>& loop, const Foot& from, const Foot& to) {
+std::vector<Vec2> way(const std::vector<Vec2>& loop, const LoopPlace& from, const LoopPlace& to) {
   const std::size_t n = loop.size();
   std::vector<Vec2> points;
   const bool at_once = from.segment == to.segment && from.share <= to.share;
@@ -48,8 +48,8 @@ std::vector<Vec2> way(const std::vector<Vec2>& loop, const Foot& from, const Foo
 /// elsewhere or it does not follow the cut line.
 std::optional<DxfChain> closed_along(const DxfChain& sew, const DxfChain& cut) {
   const std::vector<Vec2>& loop = cut.points;
-  const std::optional<Foot> first = foot_on(loop, sew.points.front()),
-                            last = foot_on(loop, sew.points.back());
+  const std::optional<LoopPlace> first = place_within_reach(loop, sew.points.front()),
+                                 last = place_within_reach(loop, sew.points.back());
   if (!first || !last) return std::nullopt;
   const std::vector<Vec2> onwards = way(loop, *last, *first), back = way(loop, *first, *last);
   DxfChain ahead = sew, other = sew;

@@ -10,7 +10,7 @@
 namespace toile::dxf {
 namespace {
 
-constexpr std::size_t kLongestText = 120;  // characters kept of a name
+constexpr std::size_t kLongestName = 120;  // characters kept of a name
 constexpr std::size_t kLongestKey = 24;
 
 void append_utf8(std::string& out, std::uint32_t c) {
@@ -50,7 +50,7 @@ std::string clean_text(std::string_view text, DxfEncoding encoding) {
   const std::string whole = utf8_of(text, encoding);
   std::string_view s = whole;
   std::string out;
-  for (std::size_t characters = 0; !s.empty() && characters < kLongestText; ++characters) {
+  for (std::size_t characters = 0; !s.empty() && characters < kLongestName; ++characters) {
     if (const auto c = escaped_character(s)) {
       append_utf8(out, *c);
       s.remove_prefix(7);

@@ -22,13 +22,6 @@ concept ChangesEdges = requires(pattern::Pattern& pattern, const Edit& edit) {
   edit_edges(pattern, Index{}, edit);
 };
 
-EditEffect reshaped(const std::string& piece) {
-  EditEffect effect;
-  effect.piece = effect.was = piece;
-  effect.reshaped = true;
-  return effect;
-}
-
 template <ShapesCurves Edit>
 Result<EditEffect> edit_pattern(pattern::Pattern& pattern, const Edit& edit) {
   const Index at = TRY(find_piece(pattern, edit.piece));

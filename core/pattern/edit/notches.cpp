@@ -19,13 +19,6 @@ constexpr double kSamePlace = 0.1;  // mm; notches nearer than this are one
 constexpr double kSnap = 0.5;       // mm
 constexpr double kAlike = 0.02;     // mm, that curves may differ when two become one
 
-EditEffect reshaped(const std::string& piece) {
-  EditEffect effect;
-  effect.piece = effect.was = piece;
-  effect.reshaped = true;
-  return effect;
-}
-
 Error out_of_range(const char* what, const std::string& where) { return {"edit.out_of_range", what, where}; }
 
 /// The distance along the edge, or that of a joint or end of it near by: a notch there is meant to be at it.

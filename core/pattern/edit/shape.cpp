@@ -288,4 +288,11 @@ Status edit_shape(pattern::Panel& panel, const SetEdgeLength& edit) {
   return {};
 }
 
+EditEffect reshaped(const std::string& piece) {
+  EditEffect effect;
+  effect.piece = effect.was = piece;
+  effect.reshaped = true;
+  return effect;
+}
+
 }  // namespace toile::edit

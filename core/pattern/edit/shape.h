@@ -31,4 +31,7 @@ Vec2 direction_at(const pattern::PanelEdge& edge, double along);
 /// the same joint, or as far along the edge.
 void carry_notches(const pattern::Panel& was, pattern::Panel& panel);
 
+/// What there is to tell of an edit that changed the outline of this piece, and no more.
+EditEffect reshaped(const std::string& piece);
+
 }  // namespace toile::edit

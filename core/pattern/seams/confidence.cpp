@@ -11,13 +11,12 @@
 namespace toile::seams {
 namespace {
 
-constexpr const ConfidenceWeights& kWeights = kConfidenceWeights;
-
 /// By its margin and the lengths of its sides, mm.
 double chance_of(double margin, double a, double b) {
-  const double chance = 1 / (1 + std::exp(-(margin - kWeights.even) / kWeights.slope));
+  const double chance = 1 / (1 + std::exp(-(margin - kConfidenceWeights.even) / kConfidenceWeights.slope));
   const double difference = std::abs(a - b) / std::max(a, b);
-  return chance * (1 - kWeights.gathers * std::max(0.0, difference - kWeights.gathers_begin));
+  return chance *
+         (1 - kConfidenceWeights.gathers * std::max(0.0, difference - kConfidenceWeights.gathers_begin));
 }
 
 /// The pairs of runs that a seam joins, each with the lesser first, rising. With `mirrored`, those on the
@@ -113,8 +112,8 @@ double layer_share(const FoundSeams& found, const FoundSeam& seam) {
   if (std::none_of(words.begin(), words.end(), is_layer)) return 1;
   for (const std::vector<Index>* side : {&seam.a, &seam.b})
     for (const Index r : *side)
-      if (words[found.model.runs[r].panel].layer) return kWeights.layer;
-  return kWeights.beside_layer;
+      if (words[found.model.runs[r].panel].layer) return kConfidenceWeights.layer;
+  return kConfidenceWeights.beside_layer;
 }
 
 /// Collars stand, or are folded over, which changes the way their seams run. Outlines do not say, but for
@@ -125,14 +124,14 @@ double collar_share(const FoundSeams& found, const FoundSeam& seam) {
   for (const std::vector<Index>* side : {&seam.a, &seam.b})
     for (const Index r : *side) collar = collar || m.words[m.runs[r].panel].kind == PieceKind::kCollar;
   for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) lapel = lapel || is_lapel(m, p);
-  return !collar ? 1 : lapel ? kWeights.folded_collar : kWeights.collar;
+  return !collar ? 1 : lapel ? kConfidenceWeights.folded_collar : kConfidenceWeights.collar;
 }
 
 /// Where two pieces of a file have one role, as in a wardrobe, nothing says which is meant.
 double rival_share(const FoundSeams& found, const FoundSeam& seam) {
   for (const std::vector<Index>* side : {&seam.a, &seam.b})
     for (const Index r : *side)
-      if (found.model.rival[found.model.runs[r].panel]) return kWeights.rival;
+      if (found.model.rival[found.model.runs[r].panel]) return kConfidenceWeights.rival;
   return 1;
 }
 
@@ -160,7 +159,7 @@ double neck_share(const FoundSeams& found, const FoundSeam& seam) {
     return joins_halves(m, other) && upright(other) &&
            (are_neighbours(m, seam.a[0], other.a[0]) || are_neighbours(m, seam.a[0], other.b[0]));
   });
-  return neck ? kWeights.beside_middle : 1;
+  return neck ? kConfidenceWeights.beside_middle : 1;
 }
 
 /// Gores go around what they hang from, and nothing says how far they are turned.
@@ -172,7 +171,7 @@ double gores_share(const FoundSeams& found, const FoundSeam& seam) {
   };
   const bool a = std::any_of(seam.a.begin(), seam.a.end(), gore);
   const bool b = std::any_of(seam.b.begin(), seam.b.end(), gore);
-  return a != b ? kWeights.gores : 1;
+  return a != b ? kConfidenceWeights.gores : 1;
 }
 
 }  // namespace
@@ -196,8 +195,9 @@ double belief_in(const FoundSeams& found, bool sides_known) {
             ? 1
             : 0;
   const double share =
-      named / std::max(1.0, static_cast<double>(found.model.words.size())) / kWeights.enough_names;
-  return sides_known ? 1 : std::min(1.0, kWeights.nameless + (1 - kWeights.nameless) * share);
+      named / std::max(1.0, static_cast<double>(found.model.words.size())) / kConfidenceWeights.enough_names;
+  return sides_known ? 1
+                     : std::min(1.0, kConfidenceWeights.nameless + (1 - kConfidenceWeights.nameless) * share);
 }
 
 }  // namespace toile::seams

@@ -10,8 +10,6 @@
 namespace toile::seams {
 namespace {
 
-constexpr const CutWeights& kWeights = kCutWeights;
-
 double difference(double a, double b) { return std::abs(a - b) / std::max(a, b); }
 
 /// Runs of one piece that lie end to end once its darts are closed; or two that meet in a blunt corner, as a
@@ -25,11 +23,11 @@ struct Line {
 
 bool starts_dart(const SeamModel& m, Index r) {
   const SeamRun &leg = m.runs[r], &other = m.runs[leg.next];
-  return other.angle > 360 - kWeights.dart_deg && other.angle < 360 - kWeights.dart_least_deg &&
-         difference(leg.length, other.length) < kWeights.dart_ease;
+  return other.angle > 360 - kCutWeights.dart_deg && other.angle < 360 - kCutWeights.dart_least_deg &&
+         difference(leg.length, other.length) < kCutWeights.dart_ease;
 }
 
-std::vector<Line> lines_of(const SeamModel& m) {
+std::vector<Line> straight_parts(const SeamModel& m) {
   std::vector<Index> before(m.runs.size(), kNone);
   for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r) before[m.runs[r].next] = r;
   const auto is_leg = [&](Index r) { return starts_dart(m, r) || starts_dart(m, before[r]); };
@@ -52,7 +50,7 @@ std::vector<Line> lines_of(const SeamModel& m) {
   }
   for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r) {
     const SeamRun &run = m.runs[r], &next = m.runs[run.next];
-    if (std::abs(next.angle - 180) > kWeights.bent_deg || is_leg(r) || is_leg(run.next) || run.next == r)
+    if (std::abs(next.angle - 180) > kCutWeights.bent_deg || is_leg(r) || is_leg(run.next) || run.next == r)
       continue;
     lines.push_back({{r, run.next}, true, before[r], next.next, run.length + next.length});
   }
@@ -63,7 +61,7 @@ std::vector<Line> lines_of(const SeamModel& m) {
 int meeting_ends(const SeamModel& m, const Line& a, const Line& b) {
   const auto alike = [&](Index x, Index y) {
     return x != kNone && y != kNone && x != y &&
-           difference(m.runs[x].length, m.runs[y].length) < kWeights.alike;
+           difference(m.runs[x].length, m.runs[y].length) < kCutWeights.alike;
   };
   const int against = alike(a.after, b.before) + alike(a.before, b.after);
   const int along = alike(a.after, b.after) + alike(a.before, b.before);
@@ -73,7 +71,7 @@ int meeting_ends(const SeamModel& m, const Line& a, const Line& b) {
 bool has_partner(const SeamModel& m, Index r) {
   for (Index other = 0; other < static_cast<Index>(m.runs.size()); ++other) {
     if (m.runs[other].panel == m.runs[r].panel || other == m.mirror[r]) continue;
-    if (difference(m.runs[other].length, m.runs[r].length) < kWeights.alike) return true;
+    if (difference(m.runs[other].length, m.runs[r].length) < kCutWeights.alike) return true;
   }
   return false;
 }
@@ -93,14 +91,14 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
     if (lines[i].bent || !other_piece(lines[i])) continue;
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
       const double sum = lines[i].length + lines[j].length;
-      if (sum > length * (1 + std::min(kWeights.alike, ease)) || sum < length * (1 - ease)) continue;
+      if (sum > length * (1 + std::min(kCutWeights.alike, ease)) || sum < length * (1 - ease)) continue;
       // The two shoulders of one front never lie end to end.
       const bool same_piece = m.runs[lines[i].runs[0]].panel == m.runs[lines[j].runs[0]].panel;
       if (same_piece || lines[j].bent || !other_piece(lines[j]) ||
-          std::min(lines[i].length, lines[j].length) < length / kWeights.most_parts)
+          std::min(lines[i].length, lines[j].length) < length / kCutWeights.most_parts)
         continue;
       const int ends = meeting_ends(m, lines[i], lines[j]);
-      const double worth = ends - difference(sum, length) / kWeights.ease;
+      const double worth = ends - difference(sum, length) / kCutWeights.ease;
       if (ends > 0 && worth > best.worth) best = {&lines[i], &lines[j], worth};
     }
   }
@@ -110,11 +108,11 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
 /// The line with darts in it that is as long as run r: a front's side to a back's.
 const Line* best_one(const SeamModel& m, const std::vector<Line>& lines, Index r) {
   const Line* best = nullptr;
-  double least = kWeights.ease;
+  double least = kCutWeights.ease;
   for (const Line& line : lines) {
     if (line.runs.size() < 2 || m.runs[line.runs[0]].panel == m.runs[r].panel) continue;
     const double off = difference(line.length, m.runs[r].length);
-    if (off < (line.bent ? std::min(least, kWeights.exact) : least)) {
+    if (off < (line.bent ? std::min(least, kCutWeights.exact) : least)) {
       least = off;
       best = &line;
     }
@@ -155,7 +153,7 @@ std::vector<double> darts_on(const SeamModel& m, const Line& line, Index r) {
   const double length = m.runs[r].length;
   std::vector<double> places = places_on(m, {&line, nullptr, 0}, length, false);
   const double a = climb(m, line.runs.front(), line.runs.back()), b = climb(m, r, r);
-  if (std::min(std::abs(a), std::abs(b)) < kWeights.rising || a * b < 0) return places;
+  if (std::min(std::abs(a), std::abs(b)) < kCutWeights.rising || a * b < 0) return places;
   for (double& place : places) place = length - place;
   std::reverse(places.begin(), places.end());
   return places;
@@ -184,15 +182,15 @@ bool meets_halves(const SeamModel& m, Index r) {
   if (m.twin[run.panel] != kNone && m.mirror[r] != r) return false;
   for (Index q = 0; q < static_cast<Index>(m.twin.size()); ++q) {
     if (!is_half(m, q) || m.words[q].face * m.words[run.panel].face < 0) continue;
-    if (run.up > kWeights.level && hangs_from(m, run.panel, q) > 0) return true;
-    if (run.up < -kWeights.level && hangs_from(m, q, run.panel) > 0) return true;
+    if (run.up > kCutWeights.level && hangs_from(m, run.panel, q) > 0) return true;
+    if (run.up < -kCutWeights.level && hangs_from(m, q, run.panel) > 0) return true;
   }
   return false;
 }
 
 SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, CutKind kind) {
   const SeamModel whole = model;
-  const std::vector<Line> lines = lines_of(whole);
+  const std::vector<Line> lines = straight_parts(whole);
   const Index count = static_cast<Index>(whole.runs.size());
   std::vector<std::vector<double>> cuts(whole.runs.size());
   std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner
@@ -200,7 +198,8 @@ SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, Cut
     if (meets_halves(whole, r)) cuts[r] = {whole.runs[r].length / 2};
   for (const bool darts : {true, false}) {
     for (Index r = 0; r < count; ++r) {
-      if (whole.runs[r].length < kWeights.shortest_mm || !cuts[r].empty() || met[r] || has_partner(whole, r))
+      if (whole.runs[r].length < kCutWeights.shortest_mm || !cuts[r].empty() || met[r] ||
+          has_partner(whole, r))
         continue;
       const Index twin = whole.mirror[r];
       if (twin != kNone && twin < r && !cuts[twin].empty()) {
@@ -208,7 +207,7 @@ SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, Cut
         continue;
       }
       const bool exact = kind == CutKind::kExactFirst || kind == CutKind::kExactSecond;
-      const Two two = best_two(whole, lines, r, exact && !darts ? kWeights.exact : kWeights.ease);
+      const Two two = best_two(whole, lines, r, exact && !darts ? kCutWeights.exact : kCutWeights.ease);
       if (darts) {
         const Line* one = best_one(whole, lines, r);
         if (one == nullptr || two.worth >= 2) continue;

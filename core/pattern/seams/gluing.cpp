@@ -8,29 +8,28 @@
 namespace toile::seams {
 namespace {
 
-constexpr const GarmentWeights& kWeights = kGarmentWeights;
-
 double inner_merit(double angle) {
-  constexpr double flat = kWeights.inner_flat_deg, fair = kWeights.inner_fair_deg;
+  constexpr double flat = kGarmentWeights.inner_flat_deg, fair = kGarmentWeights.inner_fair_deg;
   const double off = std::abs(angle - 360);
-  if (off <= flat) return kWeights.inner;
-  if (off <= fair) return kWeights.inner * (fair - off) / (fair - flat);
-  return (off - fair) / 100 * (angle < 360 ? kWeights.inner_cone : kWeights.inner_ruffle);
+  if (off <= flat) return kGarmentWeights.inner;
+  if (off <= fair) return kGarmentWeights.inner * (fair - off) / (fair - flat);
+  return (off - fair) / 100 * (angle < 360 ? kGarmentWeights.inner_cone : kGarmentWeights.inner_ruffle);
 }
 
 double border_merit(double angle) {
-  constexpr double straight = kWeights.border_straight_deg, fair = kWeights.border_fair_deg;
+  constexpr double straight = kGarmentWeights.border_straight_deg, fair = kGarmentWeights.border_fair_deg;
   const double off = std::abs(angle - 180);
-  if (off <= straight) return kWeights.border;
-  if (off <= fair) return kWeights.border * (fair - off) / (fair - straight);
-  return std::max(angle > 180 ? kWeights.border_slit : kWeights.border_corner,
-                  (off - fair) / 100 * kWeights.border_bent);
+  if (off <= straight) return kGarmentWeights.border;
+  if (off <= fair) return kGarmentWeights.border * (fair - off) / (fair - straight);
+  return std::max(angle > 180 ? kGarmentWeights.border_slit : kGarmentWeights.border_corner,
+                  (off - fair) / 100 * kGarmentWeights.border_bent);
 }
 
 /// Whether the run faces down along the grain. The hem of a wide skirt is round.
 bool is_hem(const SeamModel& m, const SeamRun& run) {
   const Vec2 chord = run.at.back() - run.at.front();
-  return m.upright[run.panel] && dot(normalized(-perpendicular(chord)), m.up[run.panel]) < kWeights.hem;
+  return m.upright[run.panel] &&
+         dot(normalized(-perpendicular(chord)), m.up[run.panel]) < kGarmentWeights.hem;
 }
 
 /// How long the hem of the bodice's pieces is, mm, told by their widths across the grain; 0 where there is no
@@ -59,12 +58,12 @@ double torso_girth(const SeamModel& m) {
 }  // namespace
 
 GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
-    : m_(model), settings_(settings), least_border_(kWeights.narrow_share * torso_girth(model)) {
+    : m_(model), settings_(settings), least_border_(kGarmentWeights.narrow_share * torso_girth(model)) {
   for (std::size_t i = 0; i < model.runs.size(); ++i) {
     const SeamRun& run = model.runs[i];
     runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,
-                     run.turn.back() > kWeights.round_deg && !run.open_front && !is_hem(model, run),
-                     std::abs(run.angle - 180) < kWeights.smooth_deg, run.angle, run.length,
+                     run.turn.back() > kGarmentWeights.round_deg && !run.open_front && !is_hem(model, run),
+                     std::abs(run.angle - 180) < kGarmentWeights.smooth_deg, run.angle, run.length,
                      run.to - run.from, model.words[run.panel].kind == PieceKind::kTorso});
   }
   root_.resize(runs_.size());
@@ -92,7 +91,7 @@ double GluingJudge::pairs(const SeamGluing& g) const {
     merit += g.merit[a][along(g, a, b)];
     const Index ma = runs_[a].mirror, mb = runs_[b].mirror;
     if (ma != kNone && mb != kNone && ma != b && g.partner[ma] == mb)
-      merit += kWeights.mirrored * std::min(runs_[a].share, runs_[b].share);
+      merit += kGarmentWeights.mirrored * std::min(runs_[a].share, runs_[b].share);
   }
   return merit;
 }
@@ -102,19 +101,19 @@ double GluingJudge::sides(const SeamGluing& g) const {
   double turned = 0, count = 0;  // collars are folded over: they hardly count
   for (std::size_t p = 0; p < g.turned.size(); ++p) {
     const bool hinted = !settings_.turned.empty() && settings_.turned[p] != 0;
-    const double weight = m_.words[p].kind == PieceKind::kCollar ? kWeights.turned_collar : 1;
+    const double weight = m_.words[p].kind == PieceKind::kCollar ? kGarmentWeights.turned_collar : 1;
     turned += (g.turned[p] != 0) != hinted ? weight : 0;
     count += weight;
   }
-  double merit = settings_.sides_known ? kWeights.turned_known * turned
-                                       : kWeights.turned * std::min(turned, count - turned);
+  double merit = settings_.sides_known ? kGarmentWeights.turned_known * turned
+                                       : kGarmentWeights.turned * std::min(turned, count - turned);
   double faces[2][2] = {};  // pieces named front and back, as drawn and turned
   for (std::size_t p = 0; p < m_.twin.size(); ++p) {
     const Index q = m_.twin[p];
     if (m_.words[p].face != 0) ++faces[m_.words[p].face > 0][g.turned[p] != 0];
-    if (q > static_cast<Index>(p) && g.turned[p] != g.turned[q]) merit += kWeights.twin_turned;
+    if (q > static_cast<Index>(p) && g.turned[p] != g.turned[q]) merit += kGarmentWeights.twin_turned;
   }
-  for (const auto& face : faces) merit += kWeights.face_turned * std::min(face[0], face[1]);
+  for (const auto& face : faces) merit += kGarmentWeights.face_turned * std::min(face[0], face[1]);
   return merit;
 }
 
@@ -148,7 +147,7 @@ double GluingJudge::limbs(const SeamGluing& g) {
     both += mate_[p] == twin;
     if (mate_[p] == kNone) mate_[p] = q;
   }
-  return kWeights.both_limbs * both;
+  return kGarmentWeights.both_limbs * both;
 }
 
 /// Two pieces that mirror each other meet along one line, the middle of the body, seldom along two.
@@ -161,9 +160,9 @@ double GluingJudge::middles(const SeamGluing& g) {
   const auto in_middle = [&](Index r) { return g.partner[r] != kNone && g.partner[r] == runs_[r].mirror; };
   for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r)
     lines_[runs_[r].panel] += in_middle(r) && !(in_middle(runs_[r].next) && goes_on(runs_[r].next));
-  double merit = kWeights.second_line * static_cast<double>(second_lines_in_rows(g));
+  double merit = kGarmentWeights.second_line * static_cast<double>(second_lines_in_rows(g));
   for (std::size_t p = 0; p < lines_.size(); ++p)
-    if (m_.twin[p] > static_cast<Index>(p)) merit += kWeights.second_line * std::max(0, lines_[p] - 1);
+    if (m_.twin[p] > static_cast<Index>(p)) merit += kGarmentWeights.second_line * std::max(0, lines_[p] - 1);
   return merit;
 }
 
@@ -176,12 +175,13 @@ double GluingJudge::free_edges(const SeamGluing& g) {
     const Run& run = runs_[r];
     const bool free = g.partner[r] == kNone, next_free = g.partner[run.next] == kNone;
     (free ? open_ : sewn_)[run.panel] = 1;
-    if (free && run.round) merit += kWeights.free_round;
-    if (free != next_free && runs_[run.next].smooth) merit += kWeights.torn_line;
+    if (free && run.round) merit += kGarmentWeights.free_round;
+    if (free != next_free && runs_[run.next].smooth) merit += kGarmentWeights.torn_line;
   }
   for (std::size_t p = 0; p < sewn_.size(); ++p)
-    if (!sewn_[p] && m_.words[p].kind == PieceKind::kTorso && !m_.words[p].layer) merit += kWeights.left_out;
-  return merit + kWeights.shut * static_cast<double>(std::count(open_.begin(), open_.end(), 0));
+    if (!sewn_[p] && m_.words[p].kind == PieceKind::kTorso && !m_.words[p].layer)
+      merit += kGarmentWeights.left_out;
+  return merit + kGarmentWeights.shut * static_cast<double>(std::count(open_.begin(), open_.end(), 0));
 }
 
 /// How the cloth lies around the points where pieces meet.
@@ -233,8 +233,8 @@ double GluingJudge::surface(const SeamGluing& g) {
     }
   }
   const int twice_handles = 2 * components - (points_ - edges + panels) - border_count;
-  return kWeights.handle * twice_handles / 2 + kWeights.part * (components - 1) +
-         kWeights.opening * std::min(kWeights.openings, border_count - components);
+  return kGarmentWeights.handle * twice_handles / 2 + kGarmentWeights.part * (components - 1) +
+         kGarmentWeights.opening * std::min(kGarmentWeights.openings, border_count - components);
 }
 
 /// A head and arms must pass through the bodice's openings. REQUIRES surface()'s borders.
@@ -248,14 +248,14 @@ double GluingJudge::narrow_borders(const SeamGluing& g) {
   }
   const auto narrow = std::count_if(border_length_.begin(), border_length_.end(),
                                     [&](double length) { return length > 0 && length < least_border_; });
-  return kWeights.narrow * static_cast<double>(narrow);
+  return kGarmentWeights.narrow * static_cast<double>(narrow);
 }
 
 double GluingJudge::gathers(const SeamGluing& g) {
   gathers_.clear();
   for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
     const Index b = g.partner[a];
-    if (b == kNone || runs_[a].length < kWeights.gathered * runs_[b].length) continue;
+    if (b == kNone || runs_[a].length < kGarmentWeights.gathered * runs_[b].length) continue;
     if (runs_[a].cut || runs_[b].cut) continue;  // cuts are in proportion anyway
     gathers_.push_back({runs_[a].length / runs_[b].length, {root_[a], root_[runs_[a].next]}, a});
   }
@@ -266,11 +266,11 @@ double GluingJudge::gathers(const SeamGluing& g) {
       const bool meet = x.ends[0] == y.ends[0] || x.ends[0] == y.ends[1] || x.ends[1] == y.ends[0] ||
                         x.ends[1] == y.ends[1];
       const bool mirrored = runs_[x.run].mirror == y.run;  // alike without any reason to be sewn
-      if (meet && !mirrored && std::abs(x.ratio - y.ratio) < kWeights.like_gather * x.ratio)
-        merit += kWeights.same_gather;
+      if (meet && !mirrored && std::abs(x.ratio - y.ratio) < kGarmentWeights.like_gather * x.ratio)
+        merit += kGarmentWeights.same_gather;
     }
   }
-  return std::min(merit, kWeights.gathers * kWeights.same_gather);
+  return std::min(merit, kGarmentWeights.gathers * kGarmentWeights.same_gather);
 }
 
 double GluingJudge::merit(const SeamGluing& g) {

@@ -10,23 +10,19 @@
 namespace toile::seams {
 namespace {
 
-constexpr std::size_t kSamples = SeamRun::kSamples;
-
-constexpr const PairWeights& kWeights = kPairWeights;
-
 bool is_neck(PieceKind kind) { return kind == PieceKind::kCollar || kind == PieceKind::kHood; }
 
 /// Whether the two pieces are as large as each other: gores stand side by side.
 bool gores(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const double x = m.girth[a.panel], y = m.girth[b.panel];
-  return std::abs(x - y) < kWeights.gores * std::max(x, y);
+  return std::abs(x - y) < kPairWeights.gores * std::max(x, y);
 }
 
 /// Whether `cuff` is the upper end of what hangs from the sleeve that `end` is on, and that the opening of
 /// the sleeve: sleeves without a grain line mostly lie, with it to a side.
 bool is_cuffed(const SeamModel& m, const SeamRun& end, const SeamRun& cuff) {
   const bool lies = m.words[end.panel].kind == PieceKind::kSleeve && !m.upright[end.panel];
-  return lies && cuff.up > kWeights.facing && std::abs(end.up) < kWeights.lying &&
+  return lies && cuff.up > kPairWeights.facing && std::abs(end.up) < kPairWeights.lying &&
          hangs_from(m, cuff.panel, end.panel) > 0;
 }
 
@@ -42,9 +38,9 @@ double inwards(const SeamModel& m, const SeamRun& run) {
 
 /// Whether the run slopes as shoulders do: straight, and neither level nor steep.
 bool is_shoulder(const SeamModel& m, const SeamRun& run) {
-  const bool slopes = run.up > kWeights.facing && run.up < kWeights.level_up;
+  const bool slopes = run.up > kPairWeights.facing && run.up < kPairWeights.level_up;
   return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] &&
-         bend_of(run) < kWeights.straight_deg && slopes;
+         bend_of(run) < kPairWeights.straight_deg && slopes;
 }
 
 /// As inwards(), or for a half of a bodice that names no side by where its middle is: there it opens, or it
@@ -55,8 +51,8 @@ double from_side(const SeamModel& m, const SeamRun& run) {
   if (twin == kNone || twin == run.panel) return 0;
   const SeamRun* middle = nullptr;
   for (const SeamRun& other : m.runs) {
-    const bool line =
-        rise(m, other) > kWeights.twin_straight_rise && std::abs(other.turn.back()) < kWeights.curved_deg;
+    const bool line = rise(m, other) > kPairWeights.twin_straight_rise &&
+                      std::abs(other.turn.back()) < kPairWeights.curved_deg;
     if (other.panel != run.panel || (!line && !other.open_front)) continue;
     if (middle == nullptr || other.open_front || (!middle->open_front && other.length > middle->length))
       middle = &other;
@@ -67,7 +63,7 @@ double from_side(const SeamModel& m, const SeamRun& run) {
 /// Whether the run is of a bodice and cannot be at its neck: it faces the side, or slopes as a shoulder.
 bool is_off_neck(const SeamModel& m, const SeamRun& run) {
   return m.words[run.panel].kind == PieceKind::kTorso &&
-         (from_side(m, run) < -kWeights.off_neck || is_shoulder(m, run));
+         (from_side(m, run) < -kPairWeights.off_neck || is_shoulder(m, run));
 }
 
 bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
@@ -76,10 +72,12 @@ bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
 /// is eased into the armhole as a whole, so that no part of it takes a part of another length.
 double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
   const auto whole = [](const SeamRun& run) { return run.from == 0 && run.to == 1; };
-  const bool differ = whole(torso) && whole(sleeve) && difference(torso, sleeve) > kWeights.tailored_ease;
-  if (m.tailored && (!sleeve.cap || differ)) return kWeights.never_meet;
-  const bool hollow = torso.turn.back() < kWeights.twin_hollow_deg && inwards(m, torso) < kWeights.inner;
-  return (hollow ? kWeights.armhole : -kWeights.armhole) + (sleeve.cap ? kWeights.cap : -kWeights.cap);
+  const bool differ = whole(torso) && whole(sleeve) && difference(torso, sleeve) > kPairWeights.tailored_ease;
+  if (m.tailored && (!sleeve.cap || differ)) return kPairWeights.never_meet;
+  const bool hollow =
+      torso.turn.back() < kPairWeights.twin_hollow_deg && inwards(m, torso) < kPairWeights.inner;
+  return (hollow ? kPairWeights.armhole : -kPairWeights.armhole) +
+         (sleeve.cap ? kPairWeights.cap : -kPairWeights.cap);
 }
 
 /// Numbers of inserts run to the right, seen from the front, as the places do that they are let into.
@@ -95,14 +93,16 @@ double insert_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
     low = std::min(low, dot(run.at[0], right));
     high = std::max(high, dot(run.at[0], right));
   }
-  const double along = (dot(whole.at[kSamples / 2], right) - low) / (high - low);
+  const double along = (dot(whole.at[SeamRun::kSamples / 2], right) - low) / (high - low);
   const double place = (static_cast<double>(row.place) + 0.5) / static_cast<double>(row.size);
-  return kWeights.insert_place * std::abs(place - (m.words[whole.panel].face < 0 ? 1 - along : along));
+  return kPairWeights.insert_place * std::abs(place - (m.words[whole.panel].face < 0 ? 1 - along : along));
 }
 
 /// Pieces of a collar meet at short ends; a lapel's long edges go to the neck, or to nothing.
 bool is_long_in_collar(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  const auto is_long = [&](const SeamRun& r) { return r.length > kWeights.collar_end * m.girth[r.panel]; };
+  const auto is_long = [&](const SeamRun& r) {
+    return r.length > kPairWeights.collar_end * m.girth[r.panel];
+  };
   return is_long(a) || is_long(b);
 }
 
@@ -120,7 +120,7 @@ int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (a.panel == b.panel) return 0;
   if (is_cuffed(m, a, b) || is_cuffed(m, b, a)) return 1;
   if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
-  if (std::min(a.up, b.up) > -kWeights.facing || std::max(a.up, b.up) < kWeights.facing) return 0;
+  if (std::min(a.up, b.up) > -kPairWeights.facing || std::max(a.up, b.up) < kPairWeights.facing) return 0;
   const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
   if (a.side || b.side || has_no_sides(m, a) || has_no_sides(m, b)) return 0;
   if (ka == kb && m.rows[a.panel].row == m.rows[b.panel].row && gores(m, a, b)) return 0;
@@ -147,9 +147,9 @@ double middle_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
   const double ia = inwards(m, a), ib = inwards(m, b);
   const bool torsos = x.kind == PieceKind::kTorso && y.kind == PieceKind::kTorso;
-  const bool own = torsos && x.side == y.side && std::min(ia, ib) > kWeights.fully_inner;
-  const bool across = x.side != y.side && std::max(ia, ib) < -kWeights.inner;
-  return own || across ? kWeights.not_middle : 0;
+  const bool own = torsos && x.side == y.side && std::min(ia, ib) > kPairWeights.fully_inner;
+  const bool across = x.side != y.side && std::max(ia, ib) < -kPairWeights.inner;
+  return own || across ? kPairWeights.not_middle : 0;
 }
 
 bool takes_both_halves(const SeamModel& m, Index i, Index j) {
@@ -163,56 +163,60 @@ bool takes_both_halves(const SeamModel& m, Index i, Index j) {
 double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int hangs) {
   const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
-  if (!ever_meet(ka, kb) || (on_limb(x) && on_limb(y) && x.leg != y.leg)) return kWeights.never_meet;
+  if (!ever_meet(ka, kb) || (on_limb(x) && on_limb(y) && x.leg != y.leg)) return kPairWeights.never_meet;
   const bool left_and_right = m.twin[a.panel] == b.panel && a.panel != b.panel && x.face * y.face >= 0;
-  if (left_and_right && (x.flank || (x.limb && y.limb))) return kWeights.both_sleeves;
+  if (left_and_right && (x.flank || (x.limb && y.limb))) return kPairWeights.both_sleeves;
   if ((is_neck(ka) && y.flank) || (is_neck(kb) && x.flank))
-    return kWeights.never_meet;  // it is under the arm
+    return kPairWeights.never_meet;  // it is under the arm
   if (ka == PieceKind::kInsert || kb == PieceKind::kInsert)
-    return kWeights.insert_face * x.face * y.face + insert_merit(m, a, b);
+    return kPairWeights.insert_face * x.face * y.face + insert_merit(m, a, b);
   if (ka == PieceKind::kSleeve && kb == PieceKind::kSleeve)
-    return !a.cap && !b.cap ? 0 : m.tailored ? kWeights.never_meet : kWeights.cap_to_sleeve;
+    return !a.cap && !b.cap ? 0 : m.tailored ? kPairWeights.never_meet : kPairWeights.cap_to_sleeve;
   if (ka == PieceKind::kCollar && kb == PieceKind::kCollar)
-    return is_long_in_collar(m, a, b) ? kWeights.collar_long : 0;
+    return is_long_in_collar(m, a, b) ? kPairWeights.collar_long : 0;
   if (ka == PieceKind::kTorso && kb == PieceKind::kSleeve) return armhole_merit(m, a, b);
   if (kb == PieceKind::kTorso && ka == PieceKind::kSleeve) return armhole_merit(m, b, a);
   if ((is_neck(ka) && kb == PieceKind::kTorso && is_middle(m, b)) ||
       (is_neck(kb) && ka == PieceKind::kTorso && is_middle(m, a)))
-    return kWeights.not_middle;
-  if ((is_neck(ka) && is_off_neck(m, b)) || (is_neck(kb) && is_off_neck(m, a))) return kWeights.never_meet;
+    return kPairWeights.not_middle;
+  if ((is_neck(ka) && is_off_neck(m, b)) || (is_neck(kb) && is_off_neck(m, a)))
+    return kPairWeights.never_meet;
   const bool upright = m.upright[a.panel] && m.upright[b.panel];
-  if (hangs > 0) return kWeights.hangs + (upright ? 0 : kWeights.hanging_face * x.face * y.face);
-  if (hangs < 0) return kWeights.hangs_not;
+  if (hangs > 0) return kPairWeights.hangs + (upright ? 0 : kPairWeights.hanging_face * x.face * y.face);
+  if (hangs < 0) return kPairWeights.hangs_not;
   const bool hanging = ka != kb && (hangs_from(ka, kb) > 0 || hangs_from(kb, ka) > 0);
-  return hanging && upright && !is_neck(ka) && !is_neck(kb) ? kWeights.only_hangs : 0;
+  return hanging && upright && !is_neck(ka) && !is_neck(kb) ? kPairWeights.only_hangs : 0;
 }
 
 double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  constexpr double mostly = kWeights.facing, fully = kWeights.facing_fully;
+  constexpr double mostly = kPairWeights.facing, fully = kPairWeights.facing_fully;
   if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
   const double ua = a.up, ub = b.up;
-  if (ua < -mostly && ub < -mostly) return kWeights.two_hems;
-  if (ua > fully && ub > fully) return kWeights.two_waists;
+  if (ua < -mostly && ub < -mostly) return kPairWeights.two_hems;
+  if (ua > fully && ub > fully) return kPairWeights.two_waists;
   const double level = std::max(std::abs(ua), std::abs(ub)), upright = std::min(std::abs(ua), std::abs(ub));
-  if (level > fully && upright < kWeights.side_up && is_named_alike(m, a, b)) return kWeights.side_to_hem;
+  if (level > fully && upright < kPairWeights.side_up && is_named_alike(m, a, b))
+    return kPairWeights.side_to_hem;
   if (std::min(ua, ub) > -mostly || std::max(ua, ub) < mostly) return 0;
-  if (a.panel == b.panel) return kWeights.hem_to_own_waist;
+  if (a.panel == b.panel) return kPairWeights.hem_to_own_waist;
   const bool larger_hangs = (m.girth[a.panel] > m.girth[b.panel]) == (ua > 0);
   const int faces = m.words[a.panel].face * m.words[b.panel].face;
-  return (larger_hangs ? kWeights.larger_hangs : kWeights.smaller_hangs) + kWeights.hanging_face * faces;
+  return (larger_hangs ? kPairWeights.larger_hangs : kPairWeights.smaller_hangs) +
+         kPairWeights.hanging_face * faces;
 }
 
 double name_merit(const PieceWords& a, const PieceWords& b, bool twins, bool alike, bool middle) {
   double merit = 0;
-  if (twins && a.flank) return kWeights.both_sleeves;
-  if (alike && a.limb && b.limb && a.face * b.face >= 0 && a.side * b.side <= 0) return kWeights.both_sleeves;
-  if (a.side * b.side > 0) merit += kWeights.same_side;
+  if (twins && a.flank) return kPairWeights.both_sleeves;
+  if (alike && a.limb && b.limb && a.face * b.face >= 0 && a.side * b.side <= 0)
+    return kPairWeights.both_sleeves;
+  if (a.side * b.side > 0) merit += kPairWeights.same_side;
   if (a.side * b.side < 0)
-    merit += a.limb && b.limb                        ? kWeights.other_side_limbs
-             : a.limb || b.limb                      ? kWeights.other_side_limb
+    merit += a.limb && b.limb                        ? kPairWeights.other_side_limbs
+             : a.limb || b.limb                      ? kPairWeights.other_side_limb
              : twins || (middle && a.face == b.face) ? 0
-                                                     : kWeights.other_side;
-  if (a.limb != b.limb) merit += kWeights.limb_face * a.face * b.face;
+                                                     : kPairWeights.other_side;
+  if (a.limb != b.limb) merit += kPairWeights.limb_face * a.face * b.face;
   return merit;
 }
 
@@ -221,11 +225,11 @@ double row_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (x.row == kNone || x.row != y.row || x.place == y.place) return 0;
   const bool after = y.place - x.place == 1 || x.place - y.place == x.size - 1;
   const bool before = x.place - y.place == 1 || y.place - x.place == x.size - 1;
-  if (!after && !before) return kWeights.not_in_order;
-  if (after && before) return kWeights.next_in_row;
+  if (!after && !before) return kPairWeights.not_in_order;
+  if (after && before) return kPairWeights.next_in_row;
   // Numbers run from left to right, as writing does.
   const SeamRun &first = after ? a : b, &second = after ? b : a;
-  return kWeights.next_in_row * (faces_right(m, first) - faces_right(m, second)) / 2;
+  return kPairWeights.next_in_row * (faces_right(m, first) - faces_right(m, second)) / 2;
 }
 
 }  // namespace toile::seams

@@ -12,8 +12,6 @@
 namespace toile::seams {
 namespace {
 
-constexpr const DartWeights& kWeights = kDartWeights;
-
 using EdgeSet = std::set<std::pair<Index, Index>>;
 
 EdgeSet sewn_edges(const pattern::Pattern& pattern) {
@@ -44,7 +42,7 @@ double mouth_up(const pattern::Panel& panel, std::size_t first) {
 
 /// Whether the dart's mouth is in a hem.
 bool is_slit(const pattern::Panel& panel, std::size_t first) {
-  return mouth_up(panel, first) < kWeights.top && hangs_free(words_of(panel.id).kind);
+  return mouth_up(panel, first) < kDartWeights.top && hangs_free(words_of(panel.id).kind);
 }
 
 /// Whether the edges `first` and the next of the panel are a dart's legs.
@@ -54,14 +52,15 @@ bool is_closed(const pattern::Panel& panel, std::size_t first) {
   const pattern::PanelEdge& in = edges[first];
   const pattern::PanelEdge& out = edges[(first + 1) % n];
   const double a = pattern::arc_length(in), b = pattern::arc_length(out);
-  if (std::abs(a - b) > kWeights.legs * std::max(a, b)) return false;
+  if (std::abs(a - b) > kDartWeights.legs * std::max(a, b)) return false;
   const double tip = 360 - corner_angle(in, out);
-  const bool waist = mouth_up(panel, first) > kWeights.top && has_waist(words_of(panel.id).kind);
-  if (tip < kWeights.least_deg || tip > (waist ? kWeights.most_up_deg : kWeights.most_deg)) return false;
+  const bool waist = mouth_up(panel, first) > kDartWeights.top && has_waist(words_of(panel.id).kind);
+  if (tip < kDartWeights.least_deg || tip > (waist ? kDartWeights.most_up_deg : kDartWeights.most_deg))
+    return false;
   const double mouth =
       corner_angle(edges[(first + n - 1) % n], in) + corner_angle(out, edges[(first + 2) % n]);
-  const bool straight = waist && std::abs(mouth - 180 - tip) < kWeights.straight_mouth_deg;
-  return straight || std::abs(mouth - 180) < kWeights.mouth_deg;
+  const bool straight = waist && std::abs(mouth - 180 - tip) < kDartWeights.straight_mouth_deg;
+  return straight || std::abs(mouth - 180) < kDartWeights.mouth_deg;
 }
 
 /// Lengths of the sides of what is let into other pieces, mm.
@@ -83,7 +82,7 @@ std::vector<std::size_t> darts_of(const pattern::Panel& panel, Index index, cons
   const auto let_in = [&](std::size_t e) {
     const double leg = pattern::arc_length(panel.outline.edges[e]);
     return is_slit(panel, e) && std::any_of(inserts.begin(), inserts.end(), [&](double side) {
-             return std::abs(side - leg) < kWeights.legs * leg;
+             return std::abs(side - leg) < kDartWeights.legs * leg;
            });
   };
   for (std::size_t e = 0; e < n; ++e) {
@@ -114,8 +113,9 @@ std::vector<char> goes_on(const pattern::Panel& panel, Index index, const EdgeSe
     const bool free =
         !sewn.contains({index, static_cast<Index>(e)}) && !sewn.contains({index, static_cast<Index>(before)});
     const double a = pattern::arc_length(edges[before]), b = pattern::arc_length(edges[e]);
-    const bool halves = std::abs(a - b) < kWeights.halves * std::max(a, b);  // a middle that is marked
-    on[e] = free && !halves && std::abs(corner_angle(edges[before], edges[e]) - 180) < kWeights.smooth_deg;
+    const bool halves = std::abs(a - b) < kDartWeights.halves * std::max(a, b);  // a middle that is marked
+    on[e] =
+        free && !halves && std::abs(corner_angle(edges[before], edges[e]) - 180) < kDartWeights.smooth_deg;
   }
   return on;
 }

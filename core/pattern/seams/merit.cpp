@@ -12,8 +12,6 @@
 namespace toile::seams {
 namespace {
 
-constexpr const PairWeights& kWeights = kPairWeights;
-
 /// Straight lines through the steps, level outside them.
 template <std::size_t N>
 double along_steps(const WeightStep (&steps)[N], double x) {
@@ -27,8 +25,9 @@ double along_steps(const WeightStep (&steps)[N], double x) {
 }
 
 double weight_of_part(const SeamRun& a, const SeamRun& b) {
-  return std::min(kWeights.part_most,
-                  kWeights.part_least + kWeights.part_per_share * std::min(a.to - a.from, b.to - b.from));
+  return std::min(
+      kPairWeights.part_most,
+      kPairWeights.part_least + kPairWeights.part_per_share * std::min(a.to - a.from, b.to - b.from));
 }
 
 /// Whether the run is a half of an edge that mirrors itself.
@@ -49,18 +48,20 @@ bool is_cut(const SeamRun& run) { return run.from > 0 || run.to < 1; }
 double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool counterparts, bool gathers) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   double merit = lengths ? length_merit(a.length, b.length) : 0;
-  if (gathers && lengths && difference(a, b) < kWeights.gathered_most)
-    merit = std::max(merit, kWeights.gathered_least - kWeights.gathered_slope * difference(a, b));
+  if (gathers && lengths && difference(a, b) < kPairWeights.gathered_most)
+    merit = std::max(merit, kPairWeights.gathered_least - kPairWeights.gathered_slope * difference(a, b));
   // Mirrored edges are of one length whether they are sewn or not: that says little.
-  if (m.mirror[i] == j || a.panel == b.panel) merit = std::min(merit, kWeights.most_of_twins);
-  if (lengths && counterparts) merit = std::min(merit, kWeights.most_of_counterparts);
+  if (m.mirror[i] == j || a.panel == b.panel) merit = std::min(merit, kPairWeights.most_of_twins);
+  if (lengths && counterparts) merit = std::min(merit, kPairWeights.most_of_counterparts);
   const bool straight = a.straight && b.straight;
-  const double fair = straight ? kWeights.fair_straight : kWeights.fair_curved, off = difference(a, b);
+  const double fair = straight ? kPairWeights.fair_straight : kPairWeights.fair_curved,
+               off = difference(a, b);
   const bool known = m.upright[a.panel] && m.upright[b.panel];
-  if (known && std::min(rise(m, a), rise(m, b)) > kWeights.upright)
-    merit -= kWeights.ease_upright * std::clamp(off / fair - kWeights.ease_begins, 0.0, 1.0);
-  if (lengths && straight && off < kWeights.gathered)
-    merit -= kWeights.inexact * std::clamp(off / kWeights.inexact_share - kWeights.inexact_begins, 0.0, 1.0);
+  if (known && std::min(rise(m, a), rise(m, b)) > kPairWeights.upright)
+    merit -= kPairWeights.ease_upright * std::clamp(off / fair - kPairWeights.ease_begins, 0.0, 1.0);
+  if (lengths && straight && off < kPairWeights.gathered)
+    merit -= kPairWeights.inexact *
+             std::clamp(off / kPairWeights.inexact_share - kPairWeights.inexact_begins, 0.0, 1.0);
   return merit;
 }
 
@@ -69,10 +70,10 @@ double own_piece_part(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   const PieceWords& words = m.words[a.panel];
   const bool mirrored = m.mirror[i] == j;
-  if (mirrored && words.face != 0) return kWeights.own_front;
+  if (mirrored && words.face != 0) return kPairWeights.own_front;
   const bool tube =
-      mirrored && a.straight && b.straight && std::min(rise(m, a), rise(m, b)) > kWeights.own_tube_rise;
-  return tube ? kWeights.own_tube : kWeights.own_piece;
+      mirrored && a.straight && b.straight && std::min(rise(m, a), rise(m, b)) > kPairWeights.own_tube_rise;
+  return tube ? kPairWeights.own_tube : kPairWeights.own_piece;
 }
 
 }  // namespace
@@ -80,13 +81,13 @@ double own_piece_part(const SeamModel& m, Index i, Index j) {
 double length_merit(double a, double b) {
   const double longer = std::max(a, b);
   const double merit =
-      along_steps(kWeights.length, std::max(0.0, std::abs(a - b) - kWeights.drawn_mm) / longer);
-  return merit > 0 ? merit * std::min(1.0, longer / kWeights.short_mm) : merit;
+      along_steps(kPairWeights.length, std::max(0.0, std::abs(a - b) - kPairWeights.drawn_mm) / longer);
+  return merit > 0 ? merit * std::min(1.0, longer / kPairWeights.short_mm) : merit;
 }
 
 bool never_sewn(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
-  return stays_open(m, a, b) || kind_merit(m, a, b, told_to_hang(m, a, b)) <= kWeights.never_meet;
+  return stays_open(m, a, b) || kind_merit(m, a, b, told_to_hang(m, a, b)) <= kPairWeights.never_meet;
 }
 
 std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool lengths) {
@@ -98,14 +99,14 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   const bool gathers = (hangs > 0 && !on_neck(m, a, b)) || is_cap(m, a, b);
   double merit = length_part(m, i, j, lengths, counterparts, gathers) + shape_merit(a, b) +
                  facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
-  if (hangs > 0 && takes_both_halves(m, i, j)) merit += kWeights.half_takes_all;
-  if (!twins && std::max(a.turn.back(), b.turn.back()) < kWeights.hollow_deg)
-    merit += are_torsos(m, i, j) ? kWeights.two_armholes : kWeights.two_hollows;
-  if (turns_in(m, a) && turns_in(m, b)) merit += kWeights.two_corners;
-  if (stays_open(m, a, b)) merit += kWeights.stays_open;
+  if (hangs > 0 && takes_both_halves(m, i, j)) merit += kPairWeights.half_takes_all;
+  if (!twins && std::max(a.turn.back(), b.turn.back()) < kPairWeights.hollow_deg)
+    merit += are_torsos(m, i, j) ? kPairWeights.two_armholes : kPairWeights.two_hollows;
+  if (turns_in(m, a) && turns_in(m, b)) merit += kPairWeights.two_corners;
+  if (stays_open(m, a, b)) merit += kPairWeights.stays_open;
   merit += row_merit(m, a, b);
   if (a.panel == b.panel) {
-    merit += own_piece_part(m, i, j) + (is_slit(m, a, i, b, j) ? kWeights.slit : 0);
+    merit += own_piece_part(m, i, j) + (is_slit(m, a, i, b, j) ? kPairWeights.slit : 0);
   } else {
     merit += name_merit(m.words[a.panel], m.words[b.panel], twins, twins || counterparts,
                         is_middle(m, a) && is_middle(m, b));
@@ -113,17 +114,17 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
     if (twins)
       merit += twin_merit(m, a, rise(m, a));
     else if (stands_out(m, a) || stands_out(m, b))
-      merit += kWeights.vent;
+      merit += kPairWeights.vent;
   }
   std::array<double, 2> both{};
   for (const bool along : {false, true})
-    both[along] = merit + kWeights.height * height_merit(m, a, b, along) + notch_merit(a, b, along) +
-                  kWeights.cut_to_cut * cut_ends_that_meet(m, a, b, along);
+    both[along] = merit + kPairWeights.height * height_merit(m, a, b, along) + notch_merit(a, b, along) +
+                  kPairWeights.cut_to_cut * cut_ends_that_meet(m, a, b, along);
   // Parts were cut to fit: that they agree says less, and together they are one coincidence.
   if (lengths && (is_cut(a) || is_cut(b)))
     for (double& x : both)
       x = std::min(x, weight_of_part(a, b) * x) +
-          (!gathers && difference(a, b) > kWeights.cut_ease ? kWeights.cut_differs : 0);
+          (!gathers && difference(a, b) > kPairWeights.cut_ease ? kPairWeights.cut_differs : 0);
   return both;
 }
 

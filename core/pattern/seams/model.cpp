@@ -20,8 +20,6 @@
 namespace toile::seams {
 namespace {
 
-constexpr std::size_t kSamples = SeamRun::kSamples;
-
 double degrees_between(Vec2 from, Vec2 to) {
   return degrees_from_radians(std::atan2(cross(from, to), dot(from, to)));
 }
@@ -33,15 +31,16 @@ void measure(const pattern::PanelEdge& edge, SeamRun& run) {
   const double whole = pattern::arc_length(edge);
   const double start = run.from * whole;
   run.length = (run.to - run.from) * whole;
-  for (std::size_t i = 0; i < kSamples; ++i)
-    run.at[i] = pattern::point_at_length(edge, start + run.length * static_cast<double>(i) / (kSamples - 1));
-  const Vec2 chord = run.at[kSamples - 1] - run.at[0];
+  for (std::size_t i = 0; i < SeamRun::kSamples; ++i)
+    run.at[i] =
+        pattern::point_at_length(edge, start + run.length * static_cast<double>(i) / (SeamRun::kSamples - 1));
+  const Vec2 chord = run.at[SeamRun::kSamples - 1] - run.at[0];
   run.straight = true;
   for (const Vec2 p : run.at)
     run.straight = run.straight && std::abs(cross(chord, p - run.at[0])) <= 0.002 * run.length * run.length;
   double heading = 0;
   Vec2 before = run.at[1] - run.at[0];
-  for (std::size_t i = 0; i + 1 < kSamples; ++i) {
+  for (std::size_t i = 0; i + 1 < SeamRun::kSamples; ++i) {
     const Vec2 step = run.at[i + 1] - run.at[i];
     heading += degrees_between(before, step);
     run.turn[i] = heading;

@@ -19,8 +19,6 @@
 namespace toile::seams {
 namespace {
 
-constexpr const ConfidenceWeights& kWeights = kConfidenceWeights;
-
 /// Runs of uncut outlines are counted panel after panel.
 std::vector<Index> first_runs(const pattern::Pattern& pattern) {
   std::vector<Index> first{0};
@@ -146,7 +144,7 @@ SeamProposal closing(const pattern::Pattern& pattern, const SeamDart& dart) {
   SeamProposal p;
   p.seam.a = {{dart.panel, dart.first}};
   p.seam.b = {{dart.panel, dart.second}};
-  p.confidence = kWeights.dart;
+  p.confidence = kConfidenceWeights.dart;
   p.length_a = pattern::arc_length(edges[dart.first]);
   p.length_b = pattern::arc_length(edges[dart.second]);
   return p;
@@ -177,7 +175,7 @@ std::vector<double> ends_along(const pattern::Pattern& pattern, const std::vecto
 
 /// The seam in parts that meet where an edge ends on both sides, in the order of side a.
 std::vector<SeamProposal> parted(const pattern::Pattern& pattern, SeamProposal whole) {
-  constexpr double kMeet = 0.01;  // of the seam's length
+  constexpr double kMeetShare = 0.01;  // of the seam's length
   pattern::Seam& seam = whole.seam;
   if (!seam.same_direction) std::reverse(seam.b.begin(), seam.b.end());  // as side a meets them
   const std::vector<double> a = ends_along(pattern, seam.a), b = ends_along(pattern, seam.b);
@@ -185,8 +183,8 @@ std::vector<SeamProposal> parted(const pattern::Pattern& pattern, SeamProposal w
   std::size_t from_a = 0, from_b = 0;
   for (std::size_t i = 0, j = 0; i < a.size(); ++i) {
     const double here = a[i] / a.back();
-    while (j + 1 < b.size() && b[j] / b.back() < here - kMeet) ++j;
-    if (i + 1 < a.size() && (j + 1 == b.size() || std::abs(b[j] / b.back() - here) > kMeet)) continue;
+    while (j + 1 < b.size() && b[j] / b.back() < here - kMeetShare) ++j;
+    if (i + 1 < a.size() && (j + 1 == b.size() || std::abs(b[j] / b.back() - here) > kMeetShare)) continue;
     if (i + 1 == a.size()) j = b.size() - 1;
     SeamProposal part = whole;
     part.seam.a.assign(seam.a.begin() + static_cast<std::ptrdiff_t>(from_a),
@@ -253,7 +251,7 @@ std::vector<SeamProposal> proposals_by_layers(const pattern::Pattern& pattern,
                [&](Index p) { return !words_of(pattern.panels[p].id).layer; });
   if (shell.size() < 2 || shell.size() == all.size()) return proposals_of(pattern, all, settings, context);
   std::vector<SeamProposal> proposals = proposals_of(pattern, shell, settings, context);
-  const std::vector<bool> taken = sewn_together(proposals, kWeights.settled);
+  const std::vector<bool> taken = sewn_together(proposals, kConfidenceWeights.settled);
   pattern::Pattern sewn = pattern;
   for (std::size_t i = 0; i < proposals.size(); ++i)
     if (taken[i]) sewn.seams.push_back(proposals[i].seam);

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kLongest = 8;       // runs on a side, if it is not a whole border
 constexpr std::size_t kMostTrials = 150;  // that are looked at closely, at a time
-constexpr const SeriesWeights& kWeights = kSeriesWeights;
 
 /// Free runs one after the other along a border.
 struct Chain {
@@ -62,7 +61,7 @@ std::vector<double> corners_of(const SeamModel& m, const std::vector<Index>& run
 }
 
 double meeting_distance(double length_mm) {
-  return std::max(kWeights.meet_least_mm, kWeights.meet * length_mm);
+  return std::max(kSeriesWeights.meet_least_mm, kSeriesWeights.meet * length_mm);
 }
 
 /// Corners of b run backwards, scaled to a's length, ascending.
@@ -112,9 +111,10 @@ bool gores_in_order(const SeamModel& m, const Chain& a, const Chain& b) {
 /// What speaks for the two chains before the surface is looked at.
 double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   double merit = length_merit(a.length, b.length);
-  if (a.whole && b.whole && gores_in_order(m, a, b)) merit += kWeights.gores_in_order;
-  merit += std::min(kWeights.corners_most, kWeights.corner * static_cast<double>(meeting_corners(m, a, b)));
-  if (a.whole && b.whole) merit += kWeights.whole_borders;
+  if (a.whole && b.whole && gores_in_order(m, a, b)) merit += kSeriesWeights.gores_in_order;
+  merit += std::min(kSeriesWeights.corners_most,
+                    kSeriesWeights.corner * static_cast<double>(meeting_corners(m, a, b)));
+  if (a.whole && b.whole) merit += kSeriesWeights.whole_borders;
   return merit;
 }
 
@@ -125,7 +125,7 @@ std::vector<Trial> trials_of(const SeamModel& m, const std::vector<Chain>& chain
       const Chain &a = chains[i], &b = chains[j];
       if (a.runs.size() + b.runs.size() < 3 || overlap(a, b)) continue;
       const double ratio = std::max(a.length, b.length) / std::min(a.length, b.length);
-      if (ratio > (a.whole && b.whole ? kWeights.ratio_whole : kWeights.ratio)) continue;
+      if (ratio > (a.whole && b.whole ? kSeriesWeights.ratio_whole : kSeriesWeights.ratio)) continue;
       trials.push_back({i, j, series_merit(m, a, b)});
     }
   }
@@ -197,7 +197,7 @@ FoundSeams sewn_in_series(const pattern::Pattern& pattern, FoundSeams found, con
     const std::vector<Chain> chains = chains_of(found.model, free_borders(found.model, found.gluing), locked);
     const double now = gluing_merit(found.model, found.gluing, settings);
     std::optional<FoundSeams> best;
-    double gain = kWeights.worthwhile;
+    double gain = kSeriesWeights.worthwhile;
     for (const Trial& trial : trials_of(found.model, chains)) {
       auto next = with_series(pattern, found, chains[trial.a], chains[trial.b], trial.worth);
       if (!next) continue;

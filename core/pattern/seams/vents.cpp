@@ -9,20 +9,16 @@
 namespace toile::seams {
 namespace {
 
-constexpr std::size_t kSamples = SeamRun::kSamples;
-
-constexpr const PairWeights& kWeights = kPairWeights;
-
 /// Whether the run is as the middle of the body is, and `other` runs along the grain as well, behind it and
 /// longer, straight or shaped a little as a fitted back or an elbow; `end` is where `other` comes to the step
 /// between them.
 bool is_before_line(const SeamModel& m, const SeamRun& run, const SeamRun& other, Vec2 end) {
   const Vec2 out = normalized(-perpendicular(chord(other)));
-  const bool line =
-      rise(m, other) > kWeights.twin_straight_rise && std::abs(other.turn.back()) < kWeights.curved_deg;
+  const bool line = rise(m, other) > kPairWeights.twin_straight_rise &&
+                    std::abs(other.turn.back()) < kPairWeights.curved_deg;
   return is_middle(m, run) && line && run.mirror_edge != kNone && other.length > run.length &&
          faces_right(m, run) * faces_right(m, other) > 0 &&
-         dot(run.at[kSamples / 2] - end, out) > kWeights.vent_out_mm;
+         dot(run.at[SeamRun::kSamples / 2] - end, out) > kPairWeights.vent_out_mm;
 }
 
 /// Whether a run twice as long faces the same side of its piece, along the grain as well: beside the middle
@@ -31,9 +27,9 @@ bool is_vent(const SeamModel& m, const SeamRun& run) {
   const double side = faces_right(m, run);
   return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
     return other.panel == run.panel && other.length > 2 * run.length && other.mirror_edge != kNone &&
-           std::abs(other.turn.back()) < kWeights.curved_deg &&
-           rise(m, other) > kWeights.twin_straight_rise &&
-           side * faces_right(m, other) > kWeights.facing * kWeights.facing;
+           std::abs(other.turn.back()) < kPairWeights.curved_deg &&
+           rise(m, other) > kPairWeights.twin_straight_rise &&
+           side * faces_right(m, other) > kPairWeights.facing * kPairWeights.facing;
   });
 }
 
@@ -41,7 +37,7 @@ bool is_vent(const SeamModel& m, const SeamRun& run) {
 
 bool stands_out(const SeamModel& m, const SeamRun& run) {
   const auto is_step = [&](const SeamRun& step) {
-    return step.length < kWeights.vent_step * run.length && rise(m, step) < kWeights.facing;
+    return step.length < kPairWeights.vent_step * run.length && rise(m, step) < kPairWeights.facing;
   };
   const SeamRun& after = m.runs[run.next];
   if (const SeamRun& other = m.runs[after.next];
@@ -56,7 +52,7 @@ bool stands_out(const SeamModel& m, const SeamRun& run) {
 
 bool turns_in(const SeamModel& m, const SeamRun& run) {
   const auto in = [](double angle) {
-    return angle > kWeights.turns_in_deg && angle < 360 - kWeights.turns_in_deg / 3;
+    return angle > kPairWeights.turns_in_deg && angle < 360 - kPairWeights.turns_in_deg / 3;
   };
   const SeamRun& after = m.runs[run.next];
   if (in(after.angle) && !stands_out(m, m.runs[after.next])) return true;
@@ -67,21 +63,22 @@ bool turns_in(const SeamModel& m, const SeamRun& run) {
 
 double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
   const PieceKind kind = m.words[run.panel].kind;
-  const bool round = run.turn.back() > kWeights.twin_round_deg;
+  const bool round = run.turn.back() > kPairWeights.twin_round_deg;
   double merit =
-      (round ? kWeights.twin_across_round : kWeights.twin_across) * (1 - along_grain * along_grain);
+      (round ? kPairWeights.twin_across_round : kPairWeights.twin_across) * (1 - along_grain * along_grain);
   // A fitted back is shaped a little in its middle.
   const bool back = kind == PieceKind::kTorso && m.words[run.panel].face < 0;
-  if (bend_of(run) < (back ? kWeights.curved_deg : kWeights.straight_deg) &&
-      along_grain > kWeights.twin_straight_rise && !is_vent(m, run) && !stands_out(m, run))
-    merit += kind == PieceKind::kHood ? kWeights.twin_face : kWeights.twin_straight;
-  if (run.turn.back() < kWeights.twin_hollow_deg && kind == PieceKind::kLegs)
-    merit += kWeights.twin_crotch;
-  else if (run.turn.back() < kWeights.twin_hollow_deg)
-    merit += kWeights.twin_hollow *
-             std::clamp((kWeights.twin_upright_rise - along_grain) / kWeights.twin_upright_width, 0.0, 1.0);
-  if (run.open_front) merit += kWeights.twin_round_front;
-  if (stands_out(m, run)) merit += kWeights.twin_vent;
+  if (bend_of(run) < (back ? kPairWeights.curved_deg : kPairWeights.straight_deg) &&
+      along_grain > kPairWeights.twin_straight_rise && !is_vent(m, run) && !stands_out(m, run))
+    merit += kind == PieceKind::kHood ? kPairWeights.twin_face : kPairWeights.twin_straight;
+  if (run.turn.back() < kPairWeights.twin_hollow_deg && kind == PieceKind::kLegs)
+    merit += kPairWeights.twin_crotch;
+  else if (run.turn.back() < kPairWeights.twin_hollow_deg)
+    merit += kPairWeights.twin_hollow *
+             std::clamp((kPairWeights.twin_upright_rise - along_grain) / kPairWeights.twin_upright_width, 0.0,
+                        1.0);
+  if (run.open_front) merit += kPairWeights.twin_round_front;
+  if (stands_out(m, run)) merit += kPairWeights.twin_vent;
   return merit;
 }
 

@@ -11,6 +11,7 @@
 #include "core/body/measure/lines.h"
 #include "core/body/measure/own_landmarks.h"
 #include "core/json/tree.h"
+#include "core/project/resolve/body_shape.h"
 #include "core/project/resolve/pieces.h"
 
 namespace toile::resolve {
@@ -19,10 +20,6 @@ namespace {
 
 /// m, goals lie so far outside the distance that cloth keeps from the skin: contact and hold agree there.
 constexpr double kClear = 0.5e-3;
-
-Vec3 radians(Vec3 degrees) {
-  return {radians_from_degrees(degrees.x), radians_from_degrees(degrees.y), radians_from_degrees(degrees.z)};
-}
 
 Vec2 metres(Vec2 mm) { return {metres_from_mm(mm.x), metres_from_mm(mm.y)}; }
 

@@ -10,10 +10,6 @@
 namespace toile::resolve {
 namespace {
 
-Vec3 radians(Vec3 degrees) {
-  return {radians_from_degrees(degrees.x), radians_from_degrees(degrees.y), radians_from_degrees(degrees.z)};
-}
-
 /// `p` turned about the fixed axes x, then y, then z.
 Vec3 turned(Vec3 p, Vec3 angles) {
   const auto turn = [](double& a, double& b, double angle) {
@@ -34,6 +30,10 @@ bool is_near(Vec3 p) {
 }
 
 }  // namespace
+
+Vec3 radians(Vec3 degrees) {
+  return {radians_from_degrees(degrees.x), radians_from_degrees(degrees.y), radians_from_degrees(degrees.z)};
+}
 
 Result<mesh_import::RepairedMesh> mesh_of(const project::ProjectBody& given, OpenedFiles& files,
                                           const std::string& where) {

@@ -16,6 +16,9 @@ namespace toile::resolve {
 Result<mesh_import::RepairedMesh> mesh_of(const project::ProjectBody& given, OpenedFiles& files,
                                           const std::string& where);
 
+/// Angles as a document has them, in the core's unit.
+Vec3 radians(Vec3 degrees);
+
 /// Scales, turns and moves it as the document says. Error: project.body_too_far.
 Status place(const project::ProjectBody& given, const std::string& where, std::vector<Vec3>& vertices);
 

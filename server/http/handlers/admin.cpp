@@ -85,7 +85,7 @@ json::JsonValue members_of(const store::Store::OwnedJob& owned, const std::strin
 }
 
 /// What is under way or waits, of everybody, the oldest first.
-http::HttpResponse list_jobs(const Api& api, const store::RequestContext&, const http::HttpRequest&) {
+http::HttpResponse list_all_jobs(const Api& api, const store::RequestContext&, const http::HttpRequest&) {
   const Result<std::vector<store::AccountRow>> accounts = accounts_of(api);
   if (!accounts) return http::problem(accounts.error());
   std::map<store::OwnerId, std::string> names;
@@ -136,7 +136,7 @@ ApiRoutes admin_routes() {
        .pattern = "/api/v1/admin/accounts/{id}/unlock",
        .handler = unlock,
        .access = kAdmin},
-      {.pattern = "/api/v1/admin/jobs", .handler = list_jobs, .access = kAdmin},
+      {.pattern = "/api/v1/admin/jobs", .handler = list_all_jobs, .access = kAdmin},
       {.pattern = "/api/v1/admin/load", .handler = load, .access = kAdmin},
   };
 }

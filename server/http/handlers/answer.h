@@ -1,6 +1,7 @@
 #pragma once
 // What many handlers need to read a request and to write an answer.
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,13 @@ http::HttpResponse made_answer(http::HttpResponse answer, bool anew, const std::
 /// `known`.
 Result<json::JsonValue> read_object(const http::HttpRequest& request, const std::vector<std::string>& known,
                                     const json::JsonLimits& limits);
+
+/// What somebody may send who has not said or shown yet who they are.
+inline constexpr std::size_t kStrangerBytes = 4096;
+inline constexpr json::JsonLimits kStrangerLimits{.bytes = kStrangerBytes, .depth = 8};
+
+/// Bytes of a name that a user gives to something of theirs.
+inline constexpr std::size_t kLongestLabel = 80;
 
 /// What read_page takes.
 inline const std::vector<std::string> kPageParameters{"cursor", "limit"};

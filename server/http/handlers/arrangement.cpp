@@ -43,20 +43,21 @@ http::HttpResponse place_one(const Api& api, const store::RequestContext& contex
 }
 
 /// The start of the project that a request names, and the project.
-struct Shown {
+struct ShownStart {
   store::ProjectRow project;
   std::shared_ptr<const documents::StartView> start;
 };
 
-Result<Shown> shown(const Api& api, const store::RequestContext& context, const http::HttpRequest& request) {
+Result<ShownStart> shown_start(const Api& api, const store::RequestContext& context,
+                               const http::HttpRequest& request) {
   store::ProjectRow project = TRY(api.store.project(context, request.captures[0]));
   const auto start = TRY(documents::start_of(api.documents, context, project));
-  return Shown{std::move(project), start};
+  return ShownStart{std::move(project), start};
 }
 
 http::HttpResponse check(const Api& api, const store::RequestContext& context,
                          const http::HttpRequest& request) {
-  const Result<Shown> at = shown(api, context, request);
+  const Result<ShownStart> at = shown_start(api, context, request);
   if (!at) return http::problem(at.error());
   http::HttpResponse response = json_answer(200, at->start->check);
   response.headers.emplace_back("ETag", etag_of(at->project));
@@ -65,7 +66,7 @@ http::HttpResponse check(const Api& api, const store::RequestContext& context,
 
 http::HttpResponse start(const Api& api, const store::RequestContext& context,
                          const http::HttpRequest& request) {
-  const Result<Shown> at = shown(api, context, request);
+  const Result<ShownStart> at = shown_start(api, context, request);
   if (!at) return http::problem(at.error());
   http::HttpResponse response = file_answer(at->start->geometry, "application/octet-stream", "start.bin");
   response.headers.emplace_back("Cache-Control", "no-cache");

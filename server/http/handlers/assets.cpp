@@ -43,8 +43,8 @@ http::HttpResponse list_kind(const Api& api, const store::RequestContext& contex
   return json_answer(200, "{\"assets\": [" + items + "]}\n");
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse list_assets(const Api& api, const store::RequestContext& context,
+                               const http::HttpRequest& request) {
   return list_kind(api, context, request.parameter("kind"));
 }
 
@@ -53,8 +53,8 @@ http::HttpResponse list_bodies(const Api& api, const store::RequestContext& cont
   return list_kind(api, context, "body");
 }
 
-http::HttpResponse show(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse show_asset(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest& request) {
   const Result<store::AssetRow> asset = api.store.asset(context, request.captures[0]);
   if (!asset) return http::problem(asset.error());
   return json_answer(200, asset_json(*asset) + "\n");
@@ -82,8 +82,8 @@ http::HttpResponse content(const Api& api, const store::RequestContext& context,
   return response;
 }
 
-http::HttpResponse remove(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse remove_asset(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
   const Status removed = api.store.remove_asset(context, request.captures[0]);
   return removed ? no_content() : http::problem(removed.error());
 }
@@ -111,11 +111,11 @@ ApiRoutes asset_routes() {
        .limit = [](const http::HttpRequest&) { return documents::kMostBodyBytes; },
        .work = http::Work::kUpload,
        .parameters = {"name"}},
-      {.pattern = "/api/v1/assets", .handler = list, .parameters = {"kind"}},
+      {.pattern = "/api/v1/assets", .handler = list_assets, .parameters = {"kind"}},
       {.pattern = "/api/v1/bodies", .handler = list_bodies},
-      {.pattern = "/api/v1/assets/{id}", .handler = show},
+      {.pattern = "/api/v1/assets/{id}", .handler = show_asset},
       {.pattern = "/api/v1/assets/{id}/content", .handler = content},
-      {.method = "DELETE", .pattern = "/api/v1/assets/{id}", .handler = remove},
+      {.method = "DELETE", .pattern = "/api/v1/assets/{id}", .handler = remove_asset},
   };
 }
 

@@ -20,8 +20,8 @@ http::HttpResponse presets(const Api&, const store::RequestContext&, const http:
   return json_answer(200, documents::body_presets_json());
 }
 
-http::HttpResponse make(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse make_body(const Api& api, const store::RequestContext& context,
+                             const http::HttpRequest& request) {
   const Result<json::JsonValue> tree =
       read_object(request, {"mannequin", "name"}, {.bytes = http::kSmallBody, .depth = 8});
   if (!tree) return http::problem(tree.error());
@@ -57,8 +57,8 @@ http::HttpResponse bodies(const Api& api, const store::RequestContext& context,
   return response;
 }
 
-http::HttpResponse body(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse project_body(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
   Result<std::string> bytes = documents::body_bytes(
@@ -132,12 +132,12 @@ ApiRoutes body_routes() {
       {.pattern = "/api/v1/bodies/presets", .handler = presets},
       {.method = "POST",
        .pattern = "/api/v1/bodies/mannequins",
-       .handler = make,
+       .handler = make_body,
        .body = http::BodyKind::kJson,
        .work = http::Work::kHeavy},
       {.pattern = "/api/v1/bodies/{id}/figure", .handler = figure, .work = http::Work::kHeavy},
       {.pattern = "/api/v1/projects/{id}/bodies", .handler = bodies, .work = http::Work::kHeavy},
-      {.pattern = "/api/v1/projects/{id}/body", .handler = body, .work = http::Work::kHeavy},
+      {.pattern = "/api/v1/projects/{id}/body", .handler = project_body, .work = http::Work::kHeavy},
       {.method = "PUT",
        .pattern = kOne,
        .handler = dress,

@@ -36,8 +36,8 @@ http::HttpResponse job_answer(const Api& api, const store::RequestContext& conte
                      job.report.empty() || !store::is_final(job.state) ? "null" : job.report);
 }
 
-http::HttpResponse submit(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse submit_job(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest& request) {
   const Result<json::JsonValue> given =
       read_object(request, {"project_id", "priority", "pictures", "anew", "from", "tags"},
                   {.bytes = http::kSmallBody, .depth = 32});
@@ -56,8 +56,8 @@ http::HttpResponse submit(const Api& api, const store::RequestContext& context,
                              "/project_id", ErrorKind::kNotFound});
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse list_jobs(const Api& api, const store::RequestContext& context,
+                             const http::HttpRequest& request) {
   const Result<Page> page = read_page(request);
   if (!page) return http::problem(400, page.error());
   const Result<store::JobQuery> query = read_query(request);
@@ -91,8 +91,8 @@ http::HttpResponse tag(const Api& api, const store::RequestContext& context,
   return kept ? json_answer(200, {{"tags", tag_list(*tags)}}) : http::problem(kept.error());
 }
 
-http::HttpResponse show(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse show_job(const Api& api, const store::RequestContext& context,
+                            const http::HttpRequest& request) {
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
   return job ? job_answer(api, context, *job) : http::problem(job.error());
 }
@@ -117,8 +117,8 @@ http::HttpResponse step(const Api& api, const store::RequestContext& context,
   return changed(api, context, api.jobs.step(context, request.captures[0]));
 }
 
-http::HttpResponse cancel(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse cancel_job(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest& request) {
   return changed(api, context, api.jobs.cancel(context, request.captures[0]));
 }
 
@@ -139,8 +139,8 @@ http::HttpResponse go_on(const Api& api, const store::RequestContext& context,
   return made_answer(job_answer(api, context, *job), job->anew, place_of(*job));
 }
 
-http::HttpResponse remove(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse remove_job(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest& request) {
   const Status removed = api.jobs.remove(context, request.captures[0]);
   return removed ? no_content() : http::problem(removed.error());
 }
@@ -171,8 +171,8 @@ http::HttpResponse log(const Api& api, const store::RequestContext& context,
 }
 
 /// Before the upgrade: is there such a job? The stream itself is served by ws.
-http::HttpResponse stream(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse stream_job(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest& request) {
   const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
   return job ? http::HttpResponse{} : http::problem(job.error());
 }
@@ -189,17 +189,17 @@ ApiRoutes job_routes() {
   return {
       {.method = "POST",
        .pattern = "/api/v1/jobs",
-       .handler = submit,
+       .handler = submit_job,
        .body = http::BodyKind::kJson,
        .work = http::Work::kSubmit},
-      {.pattern = "/api/v1/jobs", .handler = list, .parameters = list_parameters()},
+      {.pattern = "/api/v1/jobs", .handler = list_jobs, .parameters = list_parameters()},
       {.method = "PUT", .pattern = "/api/v1/jobs/{id}/tags", .handler = tag, .body = http::BodyKind::kJson},
-      {.pattern = "/api/v1/jobs/{id}", .handler = show},
-      {.method = "DELETE", .pattern = "/api/v1/jobs/{id}", .handler = remove},
+      {.pattern = "/api/v1/jobs/{id}", .handler = show_job},
+      {.method = "DELETE", .pattern = "/api/v1/jobs/{id}", .handler = remove_job},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/pause", .handler = pause},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/resume", .handler = resume},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/step", .handler = step},
-      {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel},
+      {.method = "POST", .pattern = "/api/v1/jobs/{id}/cancel", .handler = cancel_job},
       {.method = "POST", .pattern = "/api/v1/jobs/{id}/retry", .handler = retry, .work = http::Work::kSubmit},
       {.method = "POST",
        .pattern = "/api/v1/jobs/{id}/go_on",
@@ -214,7 +214,7 @@ ApiRoutes job_routes() {
       {.pattern = "/api/v1/jobs/{id}/report", .handler = job_report_page, .work = http::Work::kDocument},
       {.pattern = "/api/v1/jobs/{id}/log", .handler = log},
       {.pattern = "/api/v1/jobs/{id}/body", .handler = job_body, .work = http::Work::kHeavy},
-      {.pattern = "/api/v1/jobs/{id}/stream", .handler = stream, .websocket = true},
+      {.pattern = "/api/v1/jobs/{id}/stream", .handler = stream_job, .websocket = true},
   };
 }
 

@@ -14,26 +14,22 @@
 #include "server/http/handlers/api.h"
 #include "server/http/handlers/link_answer.h"
 #include "server/http/problem.h"
+#include "server/store/now.h"
 
 namespace toile::handlers {
 namespace {
 
-constexpr std::size_t kLongestLabel = 80;  // bytes
 constexpr double kMostDays = 3660;
 
-std::int64_t now_ms() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
-}
-
 json::JsonValue members_of(const store::LinkRow& link) {
-  return std::vector<json::JsonMember>{{"id", link.id},
-                                       {"job", link.job},
-                                       {"label", link.label},
-                                       {"take", takes_list(link.takes)},
-                                       {"created_ms", static_cast<double>(link.created_ms)},
-                                       {"expires_ms", static_cast<double>(link.expires_ms)},
-                                       {"expired", link.expires_ms > 0 && link.expires_ms <= now_ms()}};
+  return std::vector<json::JsonMember>{
+      {"id", link.id},
+      {"job", link.job},
+      {"label", link.label},
+      {"take", takes_list(link.takes)},
+      {"created_ms", static_cast<double>(link.created_ms)},
+      {"expires_ms", static_cast<double>(link.expires_ms)},
+      {"expired", link.expires_ms > 0 && link.expires_ms <= store::now_ms()}};
 }
 
 /// Error: links.take at its place.
@@ -65,15 +61,15 @@ Result<store::LinkRow> read_link(const json::JsonValue& given) {
     if (!number || !(*number > 0) || *number > kMostDays)
       return Error{"links.days", "\"days\" is a number over 0 and up to 3660, or null for ever", "/days"};
     constexpr double kDayMs = 24.0 * 3600 * 1000;
-    link.expires_ms = now_ms() + static_cast<std::int64_t>(std::ceil(*number * kDayMs));
+    link.expires_ms = store::now_ms() + static_cast<std::int64_t>(std::ceil(*number * kDayMs));
   }
   link.takes = TRY(read_takes(given));
   return link;
 }
 
 /// The one answer that has the secret: it is kept nowhere.
-http::HttpResponse make(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse make_link(const Api& api, const store::RequestContext& context,
+                             const http::HttpRequest& request) {
   const Result<json::JsonValue> given =
       read_object(request, {"label", "days", "take"}, {.bytes = http::kSmallBody, .depth = 8});
   if (!given) return http::problem(given.error());
@@ -101,7 +97,8 @@ http::HttpResponse listed(const Api& api, const store::RequestContext& context, 
   return json_answer(200, {{"links", std::move(list)}});
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context, const http::HttpRequest&) {
+http::HttpResponse list_links(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest&) {
   return listed(api, context, "");
 }
 
@@ -111,8 +108,8 @@ http::HttpResponse list_of_job(const Api& api, const store::RequestContext& cont
   return job ? listed(api, context, job->id) : http::problem(job.error());
 }
 
-http::HttpResponse revoke(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse revoke_link(const Api& api, const store::RequestContext& context,
+                               const http::HttpRequest& request) {
   const Status gone = api.store.links()->revoke_link(context.owner, request.captures[0]);
   if (!gone) return http::problem(gone.error());
   context.log.info("link taken back", LogFields{{"link", request.captures[0]}});
@@ -125,11 +122,11 @@ ApiRoutes link_routes() {
   return {
       {.method = "POST",
        .pattern = "/api/v1/jobs/{id}/links",
-       .handler = make,
+       .handler = make_link,
        .body = http::BodyKind::kJson},
       {.pattern = "/api/v1/jobs/{id}/links", .handler = list_of_job},
-      {.pattern = "/api/v1/links", .handler = list},
-      {.method = "DELETE", .pattern = "/api/v1/links/{id}", .handler = revoke},
+      {.pattern = "/api/v1/links", .handler = list_links},
+      {.method = "DELETE", .pattern = "/api/v1/links/{id}", .handler = revoke_link},
   };
 }
 

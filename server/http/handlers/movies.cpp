@@ -17,7 +17,7 @@ std::string place_of(const std::string& job, const std::string& name) {
   return "/api/v1/jobs/" + job + "/results/" + name;
 }
 
-json::JsonValue shown(const std::string& job, const jobs::MovieOrder& order) {
+json::JsonValue movie_json(const std::string& job, const jobs::MovieOrder& order) {
   json::JsonValue href, error;
   if (order.state == jobs::MovieState::kMade) href = json::JsonValue(place_of(job, order.name));
   if (order.error) {
@@ -76,21 +76,21 @@ http::HttpResponse ask(const Api& api, const store::RequestContext& context,
   const Result<jobs::MovieOrder> order = api.movies.ask(context, job, *settings);
   if (!order) return http::problem(order.error());
   const int status = order->state == jobs::MovieState::kMade ? 200 : 202;
-  return json_answer(status, {{"movie", shown(job, *order)}});
+  return json_answer(status, {{"movie", movie_json(job, *order)}});
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse list_movies(const Api& api, const store::RequestContext& context,
+                               const http::HttpRequest& request) {
   const std::string& job = request.captures[0];
   const Result<std::vector<jobs::MovieOrder>> movies = api.movies.of_job(context, job);
   if (!movies) return http::problem(movies.error());
   std::vector<json::JsonValue> items;
-  for (const jobs::MovieOrder& order : *movies) items.push_back(shown(job, order));
+  for (const jobs::MovieOrder& order : *movies) items.push_back(movie_json(job, order));
   return json_answer(200, {{"movies", std::move(items)}});
 }
 
-http::HttpResponse cancel(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse cancel_movie(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
   const Status cancelled = api.movies.cancel(context, request.captures[0], request.captures[1]);
   return cancelled ? no_content() : http::problem(cancelled.error());
 }
@@ -103,8 +103,8 @@ ApiRoutes movie_routes() {
        .pattern = "/api/v1/jobs/{id}/movies",
        .handler = ask,
        .body = http::BodyKind::kJson},
-      {.pattern = "/api/v1/jobs/{id}/movies", .handler = list},
-      {.method = "DELETE", .pattern = "/api/v1/jobs/{id}/movies/{name}", .handler = cancel},
+      {.pattern = "/api/v1/jobs/{id}/movies", .handler = list_movies},
+      {.method = "DELETE", .pattern = "/api/v1/jobs/{id}/movies/{name}", .handler = cancel_movie},
   };
 }
 

@@ -52,8 +52,8 @@ http::HttpResponse create(const Api& api, const store::RequestContext& context,
   return made_answer(project_answer(*project), project->anew, "/api/v1/projects/" + project->id);
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse list_projects(const Api& api, const store::RequestContext& context,
+                                 const http::HttpRequest& request) {
   const Result<Page> page = read_page(request);
   if (!page) return http::problem(400, page.error());
   Result<std::vector<store::ProjectRow>> rows = api.store.projects(context, page->cursor, page->limit + 1);
@@ -62,8 +62,8 @@ http::HttpResponse list(const Api& api, const store::RequestContext& context,
                      [](const store::ProjectRow& row) { return json::JsonValue(project_members(row)); });
 }
 
-http::HttpResponse show(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse show_project(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
   http::HttpResponse response = project_answer(*project);
@@ -113,8 +113,8 @@ Status check_ended(const Api& api, const store::RequestContext& context, const s
 }
 
 /// Without If-Match whichever revision there is.
-http::HttpResponse remove(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse remove_project(const Api& api, const store::RequestContext& context,
+                                  const http::HttpRequest& request) {
   const bool any = request.header("if-match").empty();
   const Result<int> revision = any ? Result<int>(0) : required_revision(request);
   if (!revision) return revision_problem(revision.error());
@@ -133,8 +133,8 @@ http::HttpResponse remove(const Api& api, const store::RequestContext& context,
   return rest ? no_content() : http::problem(rest.error());
 }
 
-http::HttpResponse pieces(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse project_pieces(const Api& api, const store::RequestContext& context,
+                                  const http::HttpRequest& request) {
   const Result<store::ProjectRow> project = api.store.project(context, request.captures[0]);
   if (!project) return http::problem(project.error());
   const auto read = documents::read_cloth(api.documents, context, project->document, project->files);
@@ -159,10 +159,10 @@ ApiRoutes project_routes() {
   return {
       whole_document_route("POST", kAll, create),
       whole_document_route("PUT", kOne, replace),
-      {.pattern = kAll, .handler = list, .parameters = kPageParameters},
-      {.pattern = kOne, .handler = show},
-      {.method = "DELETE", .pattern = kOne, .handler = remove, .parameters = {"data"}},
-      {.pattern = "/api/v1/projects/{id}/pieces", .handler = pieces, .work = http::Work::kDocument},
+      {.pattern = kAll, .handler = list_projects, .parameters = kPageParameters},
+      {.pattern = kOne, .handler = show_project},
+      {.method = "DELETE", .pattern = kOne, .handler = remove_project, .parameters = {"data"}},
+      {.pattern = "/api/v1/projects/{id}/pieces", .handler = project_pieces, .work = http::Work::kDocument},
   };
 }
 

@@ -15,9 +15,6 @@
 namespace toile::handlers {
 namespace {
 
-constexpr std::size_t kMostBytes = 4096;  // of whoever has not said yet who they are
-constexpr json::JsonLimits kLimits{.bytes = kMostBytes, .depth = 8};
-
 http::HttpResponse no_accounts() {
   return http::problem(
       409, {"auth.no_accounts", "this server has no accounts: whoever comes is its one user", ""});
@@ -30,13 +27,14 @@ std::vector<json::JsonValue> list_of(store::Scopes scopes) {
   return names;
 }
 
-std::string text_of(const json::JsonValue& given, const char* key) {
+std::string text_member(const json::JsonValue& given, const char* key) {
   const json::JsonValue* found = given.find(key);
   return found && found->text() ? *found->text() : "";
 }
 
 /// Who asks, and by what right.
-http::HttpResponse show(const Api& api, const store::RequestContext& context, const http::HttpRequest&) {
+http::HttpResponse show_session(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest&) {
   if (!api.doors) {
     return json_answer(200, {{"accounts", false},
                              {"name", json::JsonValue()},
@@ -54,11 +52,11 @@ http::HttpResponse show(const Api& api, const store::RequestContext& context, co
 /// A session, for a name and a password or for a token.
 http::HttpResponse begin(const Api& api, const store::RequestContext&, const http::HttpRequest& request) {
   if (!api.doors) return no_accounts();
-  const Result<json::JsonValue> given = read_object(request, {"name", "password", "token"}, kLimits);
+  const Result<json::JsonValue> given = read_object(request, {"name", "password", "token"}, kStrangerLimits);
   if (!given) return http::problem(given.error());
-  const std::string token = text_of(*given, "token"), name = text_of(*given, "name");
+  const std::string token = text_member(*given, "token"), name = text_member(*given, "name");
   const accounts::Begun begun =
-      token.empty() ? api.doors->log_in.with_password(name, text_of(*given, "password"), request.sender)
+      token.empty() ? api.doors->log_in.with_password(name, text_member(*given, "password"), request.sender)
                     : api.doors->log_in.with_token(token, request.sender);
   if (!begun.secret) return http::not_let_in(begun.secret.error(), begun.unknown, begun.wait);
   http::HttpResponse response = no_content();
@@ -105,8 +103,8 @@ http::HttpResponse list_keys(const Api& api, const store::RequestContext& contex
   return json_answer(200, {{"keys", std::move(list)}});
 }
 
-http::HttpResponse revoke(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse revoke_key(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest& request) {
   if (!api.doors) return no_accounts();
   const Status gone = api.store.accounts()->remove_key(context.owner, request.captures[0]);
   return gone ? no_content() : http::problem(gone.error());
@@ -120,13 +118,13 @@ ApiRoutes session_routes() {
        .pattern = "/api/v1/session",
        .handler = begin,
        .body = http::BodyKind::kJson,
-       .limit = [](const http::HttpRequest&) { return kMostBytes; },
+       .limit = [](const http::HttpRequest&) { return kStrangerBytes; },
        .work = http::Work::kDocument,
        .access = http::Access::kOpen},
-      {.pattern = "/api/v1/session", .handler = show},
+      {.pattern = "/api/v1/session", .handler = show_session},
       {.method = "DELETE", .pattern = "/api/v1/session", .handler = end, .access = http::Access::kRead},
       {.pattern = "/api/v1/keys", .handler = list_keys},
-      {.method = "DELETE", .pattern = "/api/v1/keys/{id}", .handler = revoke},
+      {.method = "DELETE", .pattern = "/api/v1/keys/{id}", .handler = revoke_key},
   };
 }
 

@@ -25,9 +25,6 @@
 namespace toile::handlers {
 namespace {
 
-constexpr std::size_t kMostBytes = 4096;  // of whoever has not shown anything yet
-constexpr json::JsonLimits kLimits{.bytes = kMostBytes, .depth = 8};
-
 /// Somebody who looks on.
 struct Visit {
   store::RequestContext context;  ///< of the job's owner, but with no scope: nothing can be changed by it
@@ -122,7 +119,7 @@ http::HttpResponse shown(const Api& api, const Visit& visit) {
 /// token.
 http::HttpResponse open(const Api& api, const store::RequestContext& asked,
                         const http::HttpRequest& request) {
-  const Result<json::JsonValue> given = read_object(request, {"secret"}, kLimits);
+  const Result<json::JsonValue> given = read_object(request, {"secret"}, kStrangerLimits);
   if (!given) return http::problem(given.error());
   const json::JsonValue* found = given->find("secret");
   const std::string secret = found && found->text() ? *found->text() : "";
@@ -136,8 +133,8 @@ http::HttpResponse open(const Api& api, const store::RequestContext& asked,
   });
 }
 
-http::HttpResponse show(const Api& api, const store::RequestContext& asked,
-                        const http::HttpRequest& request) {
+http::HttpResponse show_shared(const Api& api, const store::RequestContext& asked,
+                               const http::HttpRequest& request) {
   return visited(api, asked, request, [&](const Visit& visit) { return shown(api, visit); });
 }
 
@@ -151,8 +148,8 @@ http::HttpResponse cloth(const Api& api, const store::RequestContext& asked,
   });
 }
 
-http::HttpResponse pieces(const Api& api, const store::RequestContext& asked,
-                          const http::HttpRequest& request) {
+http::HttpResponse shared_pieces(const Api& api, const store::RequestContext& asked,
+                                 const http::HttpRequest& request) {
   return visited(api, asked, request, [&](const Visit& visit) -> http::HttpResponse {
     const auto read =
         documents::read_cloth(api.documents, visit.context, visit.job.document, visit.job.files);
@@ -187,8 +184,8 @@ http::HttpResponse picture(const Api& api, const store::RequestContext& asked,
   });
 }
 
-http::HttpResponse body(const Api& api, const store::RequestContext& asked,
-                        const http::HttpRequest& request) {
+http::HttpResponse shared_body(const Api& api, const store::RequestContext& asked,
+                               const http::HttpRequest& request) {
   return visited(api, asked, request,
                  [&](const Visit& visit) { return job_body(api, visit.context, for_job(request, visit)); });
 }
@@ -218,8 +215,8 @@ http::HttpResponse report(const Api& api, const store::RequestContext& asked,
 }
 
 /// Before the upgrade. A page of another site might make a browser bring the cookie along.
-http::HttpResponse stream(const Api& api, const store::RequestContext& asked,
-                          const http::HttpRequest& request) {
+http::HttpResponse stream_shared(const Api& api, const store::RequestContext& asked,
+                                 const http::HttpRequest& request) {
   return visited(api, asked, request, [&](const Visit& visit) {
     if (request.header("authorization").empty() && request.header("origin").empty())
       return http::problem(403,
@@ -247,15 +244,15 @@ ApiRoute look(const char* pattern,
 
 ApiRoutes shared_routes() {
   ApiRoutes routes{
-      look("/api/v1/shared/{id}", show),
+      look("/api/v1/shared/{id}", show_shared),
       look("/api/v1/shared/{id}/cloth", cloth),
-      look("/api/v1/shared/{id}/pieces", pieces, http::Work::kDocument),
+      look("/api/v1/shared/{id}/pieces", shared_pieces, http::Work::kDocument),
       look("/api/v1/shared/{id}/pictures/{name}", picture, http::Work::kDocument),
-      look("/api/v1/shared/{id}/body", body, http::Work::kHeavy),
+      look("/api/v1/shared/{id}/body", shared_body, http::Work::kHeavy),
       look("/api/v1/shared/{id}/results/{name}", result),
       look("/api/v1/shared/{id}/results/{name}/small", small_still, http::Work::kDocument),
       look("/api/v1/shared/{id}/report", report, http::Work::kDocument),
-      look("/api/v1/shared/{id}/stream", stream),
+      look("/api/v1/shared/{id}/stream", stream_shared),
   };
   for (ApiRoute& route : routes) {
     if (std::string_view(route.pattern).ends_with("/small")) route.parameters = {"width"};
@@ -265,7 +262,7 @@ ApiRoutes shared_routes() {
                     .pattern = "/api/v1/shared",
                     .handler = open,
                     .body = http::BodyKind::kJson,
-                    .limit = [](const http::HttpRequest&) { return kMostBytes; },
+                    .limit = [](const http::HttpRequest&) { return kStrangerBytes; },
                     .access = http::Access::kOpen});
   return routes;
 }

@@ -16,8 +16,6 @@ namespace {
 
 using json::JsonValue;
 
-constexpr std::size_t kLongestLabel = 80;  // bytes
-
 /// A text that is there; empty where it is not. Error: `code`.
 Result<std::string> text_at(const JsonValue& in, const char* key, const char* code, const std::string& says,
                             const std::string& where) {

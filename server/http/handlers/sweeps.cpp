@@ -65,8 +65,8 @@ http::HttpResponse sweep_answer(const Api& api, const store::RequestContext& con
   return json_answer(200, std::move(members));
 }
 
-http::HttpResponse submit(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse submit_sweep(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
   const Result<jobs::SweepWish> wish = read_sweep_wish(request);
   if (!wish) return http::problem(wish.error());
   const auto made = api.jobs.submit_sweep(context, *wish, request.header("idempotency-key"));
@@ -75,8 +75,8 @@ http::HttpResponse submit(const Api& api, const store::RequestContext& context,
                      place_of(made->sweep.id));
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse list_sweeps(const Api& api, const store::RequestContext& context,
+                               const http::HttpRequest& request) {
   const Result<Page> page = read_page(request);
   if (!page) return http::problem(400, page.error());
   auto rows = sweeps_in(api).sweeps(context, request.parameter("project"), page->cursor, page->limit + 1);
@@ -102,20 +102,20 @@ Result<Standing> standing(const Api& api, const store::RequestContext& context, 
   return Standing{std::move(sweep), std::move(jobs)};
 }
 
-http::HttpResponse show(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse show_sweep(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest& request) {
   const Result<Standing> now = standing(api, context, request.captures[0]);
   return now ? sweep_answer(api, context, now->sweep, now->jobs) : http::problem(now.error());
 }
 
-http::HttpResponse cancel(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse cancel_sweep(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
   const Status cancelled = jobs::cancel_sweep(api.store, api.jobs, context, request.captures[0]);
-  return cancelled ? show(api, context, request) : http::problem(cancelled.error());
+  return cancelled ? show_sweep(api, context, request) : http::problem(cancelled.error());
 }
 
-http::HttpResponse remove(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse remove_sweep(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
   const Status removed = jobs::remove_sweep(api.store, api.jobs, context, request.captures[0]);
   return removed ? no_content() : http::problem(removed.error());
 }
@@ -160,13 +160,13 @@ ApiRoutes sweep_routes() {
   return {
       {.method = "POST",
        .pattern = "/api/v1/sweeps",
-       .handler = submit,
+       .handler = submit_sweep,
        .body = http::BodyKind::kJson,
        .work = http::Work::kHeavy},
-      {.pattern = "/api/v1/sweeps", .handler = list, .parameters = {"cursor", "limit", "project"}},
-      {.pattern = "/api/v1/sweeps/{id}", .handler = show},
-      {.method = "DELETE", .pattern = "/api/v1/sweeps/{id}", .handler = remove},
-      {.method = "POST", .pattern = "/api/v1/sweeps/{id}/cancel", .handler = cancel},
+      {.pattern = "/api/v1/sweeps", .handler = list_sweeps, .parameters = {"cursor", "limit", "project"}},
+      {.pattern = "/api/v1/sweeps/{id}", .handler = show_sweep},
+      {.method = "DELETE", .pattern = "/api/v1/sweeps/{id}", .handler = remove_sweep},
+      {.method = "POST", .pattern = "/api/v1/sweeps/{id}/cancel", .handler = cancel_sweep},
       {.pattern = "/api/v1/sweeps/{id}/table.csv", .handler = csv},
       {.pattern = "/api/v1/sweeps/{id}/sheet.png",
        .handler = sheet,

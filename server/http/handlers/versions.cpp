@@ -31,8 +31,8 @@ std::vector<json::JsonMember> members_of(const store::ToldVersion& told) {
           {"jobs", std::move(jobs)}};
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse list_versions(const Api& api, const store::RequestContext& context,
+                                 const http::HttpRequest& request) {
   const Result<std::vector<store::ToldVersion>> told =
       versions_in(api).versions(context, request.captures[0]);
   if (!told) return http::problem(told.error());
@@ -74,8 +74,8 @@ http::HttpResponse restore(const Api& api, const store::RequestContext& context,
   return project ? project_answer(*project) : revision_problem(project.error());
 }
 
-http::HttpResponse remove(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse remove_version(const Api& api, const store::RequestContext& context,
+                                  const http::HttpRequest& request) {
   const Status gone = versions_in(api).remove_version(context, request.captures[0], request.captures[1]);
   return gone ? no_content() : http::problem(gone.error());
 }
@@ -85,7 +85,7 @@ http::HttpResponse remove(const Api& api, const store::RequestContext& context,
 ApiRoutes version_routes() {
   constexpr const char* kVersions = "/api/v1/projects/{id}/versions";
   return {
-      {.pattern = kVersions, .handler = list},
+      {.pattern = kVersions, .handler = list_versions},
       {.method = "POST",
        .pattern = kVersions,
        .handler = name,
@@ -95,7 +95,7 @@ ApiRoutes version_routes() {
        .pattern = "/api/v1/projects/{id}/versions/{version}/restore",
        .handler = restore,
        .work = http::Work::kDocument},
-      {.method = "DELETE", .pattern = "/api/v1/projects/{id}/versions/{version}", .handler = remove},
+      {.method = "DELETE", .pattern = "/api/v1/projects/{id}/versions/{version}", .handler = remove_version},
   };
 }
 

@@ -17,8 +17,6 @@
 namespace toile::handlers {
 namespace {
 
-constexpr std::size_t kLongestLabel = 80;  // bytes
-
 std::vector<std::string> final_states() {
   std::vector<std::string> words;
   for (const store::JobState state :
@@ -91,8 +89,8 @@ store::Webhooks& webhooks_in(const Api& api) {
 }
 
 /// The one answer that tells the secret.
-http::HttpResponse make(const Api& api, const store::RequestContext& context,
-                        const http::HttpRequest& request) {
+http::HttpResponse make_webhook(const Api& api, const store::RequestContext& context,
+                                const http::HttpRequest& request) {
   const Result<json::JsonValue> given =
       read_object(request, {"url", "states", "label"}, {.bytes = http::kSmallBody, .depth = 8});
   if (!given) return http::problem(given.error());
@@ -110,7 +108,8 @@ http::HttpResponse make(const Api& api, const store::RequestContext& context,
   return created(std::move(response), "/api/v1/webhooks/" + webhook->id);
 }
 
-http::HttpResponse list(const Api& api, const store::RequestContext& context, const http::HttpRequest&) {
+http::HttpResponse list_webhooks(const Api& api, const store::RequestContext& context,
+                                 const http::HttpRequest&) {
   const Result<std::vector<store::WebhookRow>> webhooks = webhooks_in(api).webhooks(context.owner);
   if (!webhooks) return http::problem(webhooks.error());
   std::vector<json::JsonValue> items;
@@ -118,8 +117,8 @@ http::HttpResponse list(const Api& api, const store::RequestContext& context, co
   return json_answer(200, {{"webhooks", std::move(items)}});
 }
 
-http::HttpResponse remove(const Api& api, const store::RequestContext& context,
-                          const http::HttpRequest& request) {
+http::HttpResponse remove_webhook(const Api& api, const store::RequestContext& context,
+                                  const http::HttpRequest& request) {
   const Status gone = webhooks_in(api).remove_webhook(context.owner, request.captures[0]);
   if (!gone) return http::problem(gone.error());
   context.log.info("webhook removed", LogFields{{"webhook", request.captures[0]}});
@@ -149,9 +148,12 @@ http::HttpResponse list_deliveries(const Api& api, const store::RequestContext& 
 
 ApiRoutes webhook_routes() {
   return {
-      {.method = "POST", .pattern = "/api/v1/webhooks", .handler = make, .body = http::BodyKind::kJson},
-      {.pattern = "/api/v1/webhooks", .handler = list},
-      {.method = "DELETE", .pattern = "/api/v1/webhooks/{id}", .handler = remove},
+      {.method = "POST",
+       .pattern = "/api/v1/webhooks",
+       .handler = make_webhook,
+       .body = http::BodyKind::kJson},
+      {.pattern = "/api/v1/webhooks", .handler = list_webhooks},
+      {.method = "DELETE", .pattern = "/api/v1/webhooks/{id}", .handler = remove_webhook},
       {.method = "POST", .pattern = "/api/v1/webhooks/{id}/ping", .handler = ping},
       {.pattern = "/api/v1/webhooks/{id}/deliveries", .handler = list_deliveries},
   };

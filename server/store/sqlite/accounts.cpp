@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/names.h"
+#include "server/store/now.h"
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/store.h"
 
@@ -48,7 +49,7 @@ Result<store::KeyRow> key_from(const SqlStatement& row) {
   return key;
 }
 
-Result<store::KnownKey> known_from(const SqlStatement& row) {
+Result<store::KnownKey> known_key_from(const SqlStatement& row) {
   constexpr int kKeyColumnCount = 7;
   const store::KeyRow key = TRY(key_from(row));
   return store::KnownKey{key, account_at(row, kKeyColumnCount)};
@@ -73,7 +74,7 @@ Status check_name(const std::string& name) {
 Result<store::AccountRow> SqliteAccounts::add_account(store::AccountRow row) {
   TRY(check_name(row.name));
   const std::lock_guard hold(mutex_);
-  row.created_ms = store_now_ms();
+  row.created_ms = store::now_ms();
   if (row.id.empty()) row.id = TRY(ids_.next('u', row.created_ms));
   const int made = TRY(database_.run(
       "INSERT INTO accounts (id, name, admin, locked, password, created_ms) VALUES (?, ?, ?, ?, ?, ?)"
@@ -108,7 +109,7 @@ Status SqliteAccounts::change_account(const store::AccountRow& row) {
 
 Result<store::KeyRow> SqliteAccounts::add_key(store::KeyRow row, const std::string& secret_hash) {
   const std::lock_guard hold(mutex_);
-  row.created_ms = store_now_ms();
+  row.created_ms = store::now_ms();
   row.id = TRY(ids_.next('k', row.created_ms));
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
   TRY(database_.run("DELETE FROM keys WHERE expires_ms > 0 AND expires_ms <= ?", {row.created_ms}));
@@ -130,7 +131,7 @@ Result<store::KnownKey> SqliteAccounts::key_of_secret(const std::string& secret_
           " a.admin, a.locked, a.password, a.created_ms"
           " FROM keys k JOIN accounts a ON a.id = k.owner WHERE k.hash = ?",
           {secret_hash}),
-      known_from, "key", "");
+      known_key_from, "key", "");
 }
 
 Result<std::vector<store::KeyRow>> SqliteAccounts::keys(const store::OwnerId& owner) {

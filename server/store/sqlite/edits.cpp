@@ -1,5 +1,6 @@
 // The history of projects: what was done to them, to be undone and done again.
 
+#include "server/store/now.h"
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/store.h"
 
@@ -61,7 +62,7 @@ Status SqliteStore::append_edit(const store::OwnerId& owner, const std::string& 
       "INSERT INTO project_edits (owner, project_id, number, undone, created_ms, bytes, edits, inverse,"
       " original) SELECT ?1, ?2, coalesce(max(number), 0) + 1, 0, ?3, ?4, ?5, ?6, ?7 FROM project_edits"
       " WHERE owner = ?1 AND project_id = ?2",
-      {owner, project_id, store_now_ms(), bytes, edit.edits, edit.inverse, edit.original}));
+      {owner, project_id, store::now_ms(), bytes, edit.edits, edit.inverse, edit.original}));
   return trim_edits(owner, project_id);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 
+#include "server/store/now.h"
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/rows.h"
 #include "server/store/sqlite/store.h"
@@ -102,7 +103,7 @@ Result<store::Made<store::JobRow>> SqliteStore::create_job(const store::RequestC
     made = TRY(find_job_made(context.owner, row.project_id, idempotency_key));
     if (made) return {};
     TRY(check_room_for_jobs(context.owner, 1, row.document.size()));
-    row.created_ms = store_now_ms();
+    row.created_ms = store::now_ms();
     row.id = TRY(ids_.next('j', row.created_ms));
     return insert_job(context.owner, row, idempotency_key);
   };

@@ -3,15 +3,16 @@
 #include <cstdint>
 #include <utility>
 
+#include "server/store/now.h"
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/store.h"
 
 namespace toile::sqlite {
 namespace {
 
-constexpr const char* kColumns =
+constexpr const char* kLinkColumns =
     "l.id, l.owner, l.job, l.label, l.takes, l.created_ms, l.expires_ms, l.revoked_ms";
-constexpr int kColumnCount = 8;
+constexpr int kLinkColumnCount = 8;
 /// So long somebody who opens a link that was good once is told what became of it.
 constexpr std::int64_t kRememberedMs = std::int64_t{30} * 24 * 3600 * 1000;
 /// Of an owner: good at that time, and of a job that is there.
@@ -33,18 +34,16 @@ Result<store::LinkRow> link_from(const SqlStatement& row) {
   return link;
 }
 
-Result<store::KnownLink> known_from(const SqlStatement& row) {
+Result<store::KnownLink> known_link_from(const SqlStatement& row) {
   const store::LinkRow link = TRY(link_from(row));
-  return store::KnownLink{link, row.integer(kColumnCount) != 0, row.integer(kColumnCount + 1) != 0};
+  return store::KnownLink{link, row.integer(kLinkColumnCount) != 0, row.integer(kLinkColumnCount + 1) != 0};
 }
-
-Result<std::int64_t> count_from(const SqlStatement& row) { return row.integer(0); }
 
 }  // namespace
 
 Result<store::LinkRow> SqliteLinks::add_link(store::LinkRow row, const std::string& secret_hash) {
   const std::lock_guard hold(mutex_);
-  row.created_ms = store_now_ms();
+  row.created_ms = store::now_ms();
   row.revoked_ms = 0;
   row.id = TRY(ids_.next('l', row.created_ms));
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
@@ -75,10 +74,10 @@ Result<store::LinkRow> SqliteLinks::add_link(store::LinkRow row, const std::stri
 
 Result<store::KnownLink> SqliteLinks::link_of_secret(const std::string& secret_hash) {
   const std::lock_guard hold(mutex_);
-  const std::string sql = std::string("SELECT ") + kColumns +
+  const std::string sql = std::string("SELECT ") + kLinkColumns +
                           ", a.id IS NOT NULL, coalesce(a.locked, 0)"
                           " FROM links l LEFT JOIN accounts a ON a.id = l.owner WHERE l.hash = ?";
-  return row_of(database_.prepare(sql, {secret_hash}), known_from, "link", "");
+  return row_of(database_.prepare(sql, {secret_hash}), known_link_from, "link", "");
 }
 
 Result<std::vector<store::LinkRow>> SqliteLinks::links(const store::OwnerId& owner, const std::string& job) {
@@ -86,14 +85,14 @@ Result<std::vector<store::LinkRow>> SqliteLinks::links(const store::OwnerId& own
   const char* const rest =
       "FROM links l JOIN jobs j ON j.owner = l.owner AND j.id = l.job"
       " WHERE l.owner = ? AND (? = '' OR l.job = ?) AND l.revoked_ms = 0 ORDER BY l.id DESC";
-  return rows_of(database_.prepare(select(kColumns, rest), {owner, job, job}), link_from);
+  return rows_of(database_.prepare(select(kLinkColumns, rest), {owner, job, job}), link_from);
 }
 
 Status SqliteLinks::revoke_link(const store::OwnerId& owner, const std::string& id) {
   const std::lock_guard hold(mutex_);
   const int gone =
       TRY(database_.run("UPDATE links SET revoked_ms = ? WHERE owner = ? AND id = ? AND revoked_ms = 0",
-                        {store_now_ms(), owner, id}));
+                        {store::now_ms(), owner, id}));
   return gone > 0 ? Status() : Status(not_found("link", id));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ inline std::string select(const char* columns, const char* rest) {
   return std::string("SELECT ") + columns + " " + rest;
 }
 
+inline Result<std::int64_t> count_from(const SqlStatement& row) { return row.integer(0); }
 inline Result<std::string> text_from(const SqlStatement& row) { return row.text(0); }
 
 /// All rows of a statement, each read by `read`.

@@ -10,6 +10,7 @@
 #include "core/base/hash.h"
 #include "core/base/names.h"
 #include "server/store/file_name.h"
+#include "server/store/now.h"
 #include "server/store/sqlite/migrations.h"
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/rows.h"
@@ -32,11 +33,6 @@ Result<KeyedProject> keyed_project_from(const SqlStatement& row) {
 Result<BlobPlace> blob_place_from(const SqlStatement& row) { return BlobPlace{row.text(0), row.integer(1)}; }
 
 }  // namespace
-
-std::int64_t store_now_ms() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
-}
 
 Status check_revision(const store::ProjectRow& now, int expected) {
   if (expected == 0 || now.revision == expected) return {};
@@ -73,7 +69,7 @@ Result<store::AssetRow> SqliteStore::put_asset(const store::RequestContext& cont
   TRY(store::check_name(row.name));
   row.id = store::asset_id(row.kind, row.name, bytes);
   row.size = static_cast<std::int64_t>(bytes.size());
-  row.created_ms = store_now_ms();
+  row.created_ms = store::now_ms();
   if (const Result<store::AssetRow> there = asset(context, row.id); !there) {
     const std::lock_guard hold(mutex_);
     TRY(check_room(context.owner, bytes.size()));
@@ -198,7 +194,7 @@ Result<store::Made<store::ProjectRow>> SqliteStore::create_project(const store::
     if (made) return store::Made<store::ProjectRow>{std::move(*made), false};
   }
   TRY(check_room(context.owner, row.document.size()));
-  row.created_ms = row.updated_ms = store_now_ms();
+  row.created_ms = row.updated_ms = store::now_ms();
   row.revision = 1;
   std::string id = TRY(ids_.next('p', row.created_ms));
   row.id = std::move(id);
@@ -232,7 +228,7 @@ Result<store::ProjectRow> SqliteStore::update_project(const store::OwnerId& owne
   next.document = row.document;
   next.files = row.files;
   next.revision += 1;
-  next.updated_ms = store_now_ms();
+  next.updated_ms = store::now_ms();
   const std::string files = column_text(row.files);
   TRY(
       database_.run("UPDATE projects SET name = ?, document = ?, files = ?, revision = ?, updated_ms = ?,"
@@ -303,7 +299,7 @@ Status SqliteStore::put_setting(const store::RequestContext& context, const std:
 
 Status SqliteStore::ping() {
   const std::lock_guard hold(mutex_);
-  const std::string now = std::to_string(store_now_ms());
+  const std::string now = std::to_string(store::now_ms());
   TRY(
       database_.run("INSERT INTO settings (owner, key, value) VALUES ('', 'ping', ?)"
                     " ON CONFLICT (owner, key) DO UPDATE SET value = excluded.value",

@@ -234,8 +234,6 @@ class SqliteStore final : public store::Store,
   SqliteLinks links_{mutex_, database_, ids_};
 };
 
-/// Now, as Unix time.
-std::int64_t store_now_ms();
 /// That the project stands at the revision that somebody has seen; 0 stands for any. Error: store.conflict.
 Status check_revision(const store::ProjectRow& now, int expected);
 /// One more than any id when the cursor is empty, so that "before the cursor" is everything. Error:

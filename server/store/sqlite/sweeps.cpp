@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "server/store/now.h"
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/rows.h"
 #include "server/store/sqlite/store.h"
@@ -60,7 +61,7 @@ Result<store::Made<store::SweptJobs>> SqliteStore::create_sweep(const store::Req
   std::size_t bytes = 0;
   for (const store::JobRow& job : wanted.jobs) bytes += job.document.size();
   TRY(check_room_for_jobs(context.owner, static_cast<int>(wanted.jobs.size()), bytes));
-  sweep.created_ms = store_now_ms();
+  sweep.created_ms = store::now_ms();
   sweep.id = TRY(ids_.next('s', sweep.created_ms));
   const SqlValue key = idempotency_key.empty() ? SqlValue(nullptr) : SqlValue(idempotency_key);
   TRY(database_.run(

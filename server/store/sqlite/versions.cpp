@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "server/store/now.h"
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/rows.h"
 #include "server/store/sqlite/store.h"
@@ -12,7 +13,7 @@
 namespace toile::sqlite {
 namespace {
 
-constexpr const char* kColumns = "id, project_id, name, revision, created_ms, files, document, line";
+constexpr const char* kVersionColumns = "id, project_id, name, revision, created_ms, files, document, line";
 /// Of the same state: the text as it was named, or as edits write it, and no file is another. There may be
 /// more files: those that edits brought stay when they are undone.
 constexpr const char* kSame =
@@ -44,8 +45,6 @@ Result<std::pair<std::string, std::string>> drape_from(const SqlStatement& row) 
   return std::pair(row.text(0), row.text(1));
 }
 
-Result<std::int64_t> count_from(const SqlStatement& row) { return row.integer(0); }
-
 }  // namespace
 
 Result<store::VersionRow> SqliteStore::add_version(const store::RequestContext& context,
@@ -72,7 +71,7 @@ Result<store::VersionRow> SqliteStore::add_version(const store::RequestContext& 
                  "/name", ErrorKind::kConflict};
   const std::size_t bytes = row.document.size() + row.line.size();
   TRY(check_room(context.owner, bytes));
-  row.created_ms = store_now_ms();
+  row.created_ms = store::now_ms();
   row.id = TRY(ids_.next('v', row.created_ms));
   TRY(database_.run(
       "INSERT INTO versions (owner, project_id, id, name, revision, created_ms, document, line, files,"
@@ -86,10 +85,10 @@ Result<store::VersionRow> SqliteStore::add_version(const store::RequestContext& 
 Result<store::VersionRow> SqliteStore::version(const store::RequestContext& context,
                                                const std::string& project_id, const std::string& id) {
   const std::lock_guard hold(mutex_);
-  return row_of(
-      database_.prepare(select(kColumns, "FROM versions WHERE owner = ? AND project_id = ? AND id = ?"),
-                        {context.owner, project_id, id}),
-      version_from, "version", id);
+  return row_of(database_.prepare(
+                    select(kVersionColumns, "FROM versions WHERE owner = ? AND project_id = ? AND id = ?"),
+                    {context.owner, project_id, id}),
+                version_from, "version", id);
 }
 
 Result<std::vector<store::ToldVersion>> SqliteStore::versions(const store::RequestContext& context,

@@ -6,16 +6,17 @@
 #include <cstdint>
 #include <utility>
 
+#include "server/store/now.h"
 #include "server/store/sqlite/read_rows.h"
 #include "server/store/sqlite/store.h"
 
 namespace toile::sqlite {
 namespace {
 
-constexpr const char* kColumns =
+constexpr const char* kDeliveryColumns =
     "d.number, d.owner, d.webhook, d.event, d.at_ms, d.job, d.project_id, d.name, d.state, d.reason_code,"
     " d.outcome, d.attempts, d.next_ms, d.status, d.error, d.sweep";
-constexpr int kColumnCount = 16;
+constexpr int kDeliveryColumnCount = 16;
 
 /// Words with commas between them, as a column has them.
 std::string joined(const std::vector<std::string>& words) {
@@ -63,16 +64,14 @@ Result<store::DeliveryRow> delivery_from(const SqlStatement& row) {
 
 Result<store::DueDelivery> due_from(const SqlStatement& row) {
   const store::DeliveryRow delivery = TRY(delivery_from(row));
-  return store::DueDelivery{delivery, row.text(kColumnCount), row.text(kColumnCount + 1)};
+  return store::DueDelivery{delivery, row.text(kDeliveryColumnCount), row.text(kDeliveryColumnCount + 1)};
 }
-
-Result<std::int64_t> count_from(const SqlStatement& row) { return row.integer(0); }
 
 }  // namespace
 
 Result<store::WebhookRow> SqliteStore::add_webhook(store::WebhookRow row) {
   const std::lock_guard hold(mutex_);
-  row.created_ms = store_now_ms();
+  row.created_ms = store::now_ms();
   row.id = TRY(ids_.next('w', row.created_ms));
   SqlTransaction transaction = TRY(SqlTransaction::begin(database_));
   const std::int64_t there =
@@ -113,7 +112,7 @@ Status SqliteStore::ping_webhook(const store::OwnerId& owner, const std::string&
   const int made = TRY(database_.run(
       "INSERT INTO deliveries (owner, webhook, event, at_ms, job, project_id, name, state, reason_code)"
       " SELECT owner, id, 0, ?, '', '', '', ?, '' FROM webhooks WHERE owner = ? AND id = ?",
-      {store_now_ms(), std::string_view(store::kPing), owner, id}));
+      {store::now_ms(), std::string_view(store::kPing), owner, id}));
   return made > 0 ? Status() : Status(not_found("webhook", id));
 }
 
@@ -122,7 +121,7 @@ Result<std::vector<store::DeliveryRow>> SqliteStore::deliveries(const store::Own
   const std::lock_guard hold(mutex_);
   TRY(row_of(database_.prepare("SELECT id FROM webhooks WHERE owner = ? AND id = ?", {owner, id}), text_from,
              "webhook", id));
-  return rows_of(database_.prepare(select(kColumns,
+  return rows_of(database_.prepare(select(kDeliveryColumns,
                                           "FROM deliveries d WHERE d.owner = ? AND d.webhook = ?"
                                           " ORDER BY d.number DESC LIMIT ?"),
                                    {owner, id, std::int64_t{limit}}),
@@ -131,7 +130,7 @@ Result<std::vector<store::DeliveryRow>> SqliteStore::deliveries(const store::Own
 
 Result<std::vector<store::DueDelivery>> SqliteStore::due_deliveries(std::int64_t now_ms) {
   const std::lock_guard hold(mutex_);
-  const std::string sql = std::string("SELECT ") + kColumns +
+  const std::string sql = std::string("SELECT ") + kDeliveryColumns +
                           ", w.url, w.secret FROM deliveries d"
                           " JOIN webhooks w ON w.owner = d.owner AND w.id = d.webhook"
                           " WHERE d.number IN (SELECT min(number) FROM deliveries"

@@ -15,11 +15,11 @@ namespace {
 constexpr double kTop = 0.3;  // m, of the column
 
 /// A level square of cloth, 30 cm wide, 1 mm above the column's head.
-struct Sheet {
+struct SheetAbove {
   std::vector<Vec3> x;
   std::vector<Tri> triangles;
 
-  Sheet() {
+  SheetAbove() {
     constexpr int kSide = 16;
     for (int i = 0; i < kSide; ++i)
       for (int j = 0; j < kSide; ++j) x.push_back({0.02 * i - 0.151, kTop + 1e-3, 0.02 * j - 0.152});
@@ -49,7 +49,7 @@ class ObstacleWays : public testing::Test {
     return ways.way(obstacle, to, boxes);
   }
 
-  Sheet sheet;
+  SheetAbove sheet;
   body::Body column = test::column(0.06, 0, kTop);
   collision::Obstacle obstacle =
       collision::make_obstacle(column.mesh.vertices, column.mesh.triangles, 0.4, 1e-3);

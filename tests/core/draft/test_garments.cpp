@@ -17,6 +17,7 @@
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/dxf/write.h"
 #include "core/pattern/validate.h"
+#include "tests/core/draft/panel.h"
 
 namespace toile {
 namespace {
@@ -37,11 +38,6 @@ const std::vector<draft::Wearer>& wearers() {
     return out;
   }();
   return all;
-}
-
-const pattern::Panel& panel(const draft::Garment& g, const std::string& id) {
-  return *std::find_if(g.pattern.panels.begin(), g.pattern.panels.end(),
-                       [&](const pattern::Panel& p) { return p.id == id; });
 }
 
 /// mm of the piece that a level line through `y` covers.

@@ -10,6 +10,7 @@
 #include "core/draft/curtain.h"
 #include "core/draft/joined_boxes.h"
 #include "core/pattern/curve.h"
+#include "tests/core/draft/panel.h"
 
 namespace toile {
 namespace {
@@ -40,11 +41,6 @@ double longest_edge(const geometry::TriangleMesh& mesh) {
     for (int i = 0; i < 3; ++i)
       most = std::max(most, length(mesh.vertices[t[i]] - mesh.vertices[t[(i + 1) % 3]]));
   return most;
-}
-
-const pattern::Panel& panel(const draft::Garment& g, const std::string& id) {
-  return *std::find_if(g.pattern.panels.begin(), g.pattern.panels.end(),
-                       [&](const pattern::Panel& p) { return p.id == id; });
 }
 
 double edge_length(const draft::Garment& g, const std::string& piece, const std::string& edge) {

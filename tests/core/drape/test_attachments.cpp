@@ -8,6 +8,7 @@
 #include "core/drape/pipeline.h"
 #include "core/sewing/attached_places.h"
 #include "tests/core/drape/garments.h"
+#include "tests/core/drape/runs.h"
 
 namespace toile {
 namespace {
@@ -60,8 +61,6 @@ TopEdge top_of(const drape::DrapeInput& input, std::span<const Vec3> x) {
   }
   return top;
 }
-
-int crossings_of(const drape::DrapeResult& r) { return r.worst.cloth_body + r.worst.cloth_cloth; }
 
 TEST(Attachments, AnEdgeLedToALineStaysOnItUntilItIsReleasedAndFallsThen) {
   const drape::DrapeInput held = tube_on_a_line(-1), freed = tube_on_a_line(0.2);

@@ -16,9 +16,9 @@
 namespace toile {
 namespace {
 
-/// A tube of `breadth` mm in front and behind around the mannequin's hips, which are 945 mm around, sewn at
-/// its sides; of firm cloth.
-drape::DrapeInput tube(double breadth) {
+/// A tube_as_broad_as of `breadth` mm in front and behind around the mannequin's hips, which are 945 mm
+/// around, sewn at its sides; of firm cloth.
+drape::DrapeInput tube_as_broad_as(double breadth) {
   drape::DrapeInput input;
   const std::vector<Vec2> corners{
       {-breadth / 2, 0}, {breadth / 2, 0}, {breadth / 2, 260}, {-breadth / 2, 260}};
@@ -43,7 +43,7 @@ bool begun_anew(const drape::DrapeResult& r) {
 
 /// Threads are not strong enough to close it around the hips.
 drape::DrapeInput too_tight() {
-  drape::DrapeInput input = tube(400);
+  drape::DrapeInput input = tube_as_broad_as(400);
   input.settings.max_time = 2.6;
   return input;
 }
@@ -81,7 +81,7 @@ TEST(BegunAnew, TightClothThatWasPutOnDoesNotRideUp) {
 }
 
 TEST(BegunAnew, WhatClosesFromWhereItStandsIsNot) {
-  EXPECT_FALSE(begun_anew(drape::drape(tube(520), {}, nullptr).value()));
+  EXPECT_FALSE(begun_anew(drape::drape(tube_as_broad_as(520), {}, nullptr).value()));
 }
 
 TEST(BegunAnew, EndsInTheSameBytesHoweverOftenItIsBrokenOff) {

@@ -7,17 +7,10 @@
 
 #include "core/drape/pipeline.h"
 #include "tests/core/drape/garments.h"
+#include "tests/core/drape/runs.h"
 
 namespace toile {
 namespace {
-
-int crossings_of(const drape::DrapeResult& r) { return r.worst.cloth_body + r.worst.cloth_cloth; }
-
-const preflight::Finding* told(const drape::DrapeResult& r, preflight::FindingKind kind) {
-  const auto at = std::find_if(r.findings.begin(), r.findings.end(),
-                               [&](const preflight::Finding& f) { return f.kind == kind; });
-  return at == r.findings.end() ? nullptr : &*at;
-}
 
 /// The column under the tablecloth gets so much wider within a second.
 drape::DrapeInput on_a_growing_column(double times) {
@@ -25,8 +18,6 @@ drape::DrapeInput on_a_growing_column(double times) {
   test::move_to(input.bodies[0], 1, [&](Vec3 p) { return Vec3{p.x * times, p.y, p.z * times}; });
   return input;
 }
-
-drape::DrapeResult draped(const drape::DrapeInput& input) { return drape::drape(input, {}, nullptr).value(); }
 
 Vec3 middle_of(const std::vector<Vec3>& x) {
   Vec3 sum;
@@ -39,7 +30,7 @@ TEST(BodyMotion, AColumnThatGrowsPushesTheClothOutAndItComesToRestAnew) {
   const drape::DrapeResult before = draped(still), r = draped(input);
   EXPECT_TRUE(r.settled());
   EXPECT_EQ(crossings_of(r), 0);
-  EXPECT_EQ(told(r, preflight::FindingKind::kBodyStopped), nullptr);
+  EXPECT_EQ(told(r.findings, preflight::FindingKind::kBodyStopped), nullptr);
   ASSERT_EQ(r.bodies.size(), 1u);
   EXPECT_EQ(r.bodies[0].mesh.vertices, input.bodies[0].motion[0].vertices);
   EXPECT_GT(r.simulated_time, before.simulated_time + 1);
@@ -72,7 +63,7 @@ TEST(BodyMotion, ATubeThatIsTooTightStopsTheColumnAndIsNamed) {
   test::move_to(input.bodies[0], 1, [](Vec3 p) { return Vec3{p.x * 2, p.y, p.z * 2}; });
   const drape::DrapeResult r = draped(input);
   EXPECT_EQ(crossings_of(r), 0);
-  const preflight::Finding* stopped = told(r, preflight::FindingKind::kBodyStopped);
+  const preflight::Finding* stopped = told(r.findings, preflight::FindingKind::kBodyStopped);
   ASSERT_NE(stopped, nullptr);
   EXPECT_NE(stopped->message.find("still had"), std::string::npos) << stopped->message;
   ASSERT_EQ(stopped->about.size(), 1u);
@@ -123,7 +114,7 @@ TEST(BodyMotion, ThePapersMethodTellsThatItsBodiesStandStill) {
   input.settings.method = drape::DrapeMethod::kPaper;
   input.settings.max_time = 0.1;
   const drape::DrapeResult r = draped(input);
-  const preflight::Finding* without = told(r, preflight::FindingKind::kMethodWithout);
+  const preflight::Finding* without = told(r.findings, preflight::FindingKind::kMethodWithout);
   ASSERT_NE(without, nullptr);
   EXPECT_NE(without->message.find("bodies that move"), std::string::npos);
   EXPECT_EQ(r.bodies[0].mesh.vertices, input.bodies[0].mesh.vertices);

@@ -10,15 +10,10 @@
 #include "core/base/hash.h"
 #include "core/drape/pipeline.h"
 #include "tests/core/drape/garments.h"
+#include "tests/core/drape/runs.h"
 
 namespace toile {
 namespace {
-
-constexpr int kToTheEnd = std::numeric_limits<int>::max();
-
-std::unique_ptr<drape::DrapeRun> begun(const drape::DrapeInput& input) {
-  return drape::DrapeRun::start(input, {}, nullptr).value();
-}
 
 std::unique_ptr<drape::DrapeRun> resumed(const drape::DrapeInput& input, const std::string& checkpoint) {
   Result<std::unique_ptr<drape::DrapeRun>> run = drape::DrapeRun::resume(input, checkpoint, {}, nullptr);

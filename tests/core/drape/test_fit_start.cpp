@@ -12,6 +12,7 @@
 #include "core/dressing/dress.h"
 #include "tests/core/arrange/garments.h"
 #include "tests/core/drape/heap.h"
+#include "tests/core/drape/runs.h"
 
 namespace toile {
 namespace {
@@ -19,11 +20,6 @@ namespace {
 pattern::Pattern without_seam(pattern::Pattern pattern, const std::string& id) {
   std::erase_if(pattern.seams, [&](const pattern::Seam& s) { return s.id == id; });
   return pattern;
-}
-
-bool told(const preflight::Findings& findings, preflight::FindingKind kind) {
-  return std::any_of(findings.begin(), findings.end(),
-                     [&](const preflight::Finding& f) { return f.kind == kind; });
 }
 
 /// A shirt with a left sleeve that narrows to 8 cm around: no hand passes.

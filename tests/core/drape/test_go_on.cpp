@@ -8,13 +8,14 @@
 
 #include "core/drape/pipeline.h"
 #include "tests/core/arrange/garments.h"
+#include "tests/core/drape/runs.h"
 #include "tests/core/dressing/dressed_person.h"
 
 namespace toile {
 namespace {
 
 /// A tube around the mannequin's hips that widens by `flare` mm a side down to its hem, `longer` mm lower.
-drape::DrapeInput tube(double longer = 0, double flare = 40) {
+drape::DrapeInput flared_tube(double longer = 0, double flare = 40) {
   drape::DrapeInput input;
   const std::vector<Vec2> corners{{-250 - flare, -longer}, {250 + flare, -longer}, {250, 300}, {-250, 300}};
   input.pattern.panels = {test::polygon("front", corners), test::polygon("back", corners)};
@@ -31,22 +32,15 @@ drape::DrapeInput tube(double longer = 0, double flare = 40) {
   return input;
 }
 
-drape::DrapeResult draped(const drape::DrapeInput& input) { return drape::drape(input, {}, nullptr).value(); }
-
-/// As tube(), once it hung.
+/// As flared_tube(), once it hung.
 const drape::DrapeResult& hung() {
-  static const drape::DrapeResult result = draped(tube());
+  static const drape::DrapeResult result = draped(flared_tube());
   return result;
 }
 
 drape::DrapeInput going_on(drape::DrapeInput input) {
   input.before = std::make_shared<const warm::HungGarment>(hung().hung);
   return input;
-}
-
-bool told(const drape::DrapeResult& r, preflight::FindingKind kind) {
-  return std::any_of(r.findings.begin(), r.findings.end(),
-                     [&](const preflight::Finding& f) { return f.kind == kind; });
 }
 
 double rms(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -57,8 +51,8 @@ double rms(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 
 TEST(GoingOn, WithNothingChangedComesToRestAtOnceAndHardlyMoves) {
   ASSERT_TRUE(hung().settled());
-  const drape::DrapeResult on = draped(going_on(tube()));
-  EXPECT_TRUE(told(on, preflight::FindingKind::kGoesOn));
+  const drape::DrapeResult on = draped(going_on(flared_tube()));
+  EXPECT_TRUE(told(on.findings, preflight::FindingKind::kGoesOn));
   EXPECT_TRUE(on.settled());
   EXPECT_LT(on.steps, 0.2 * hung().steps);
   EXPECT_LT(rms(on.positions, hung().positions), 2e-3);
@@ -66,9 +60,9 @@ TEST(GoingOn, WithNothingChangedComesToRestAtOnceAndHardlyMoves) {
 }
 
 TEST(GoingOn, WithALongerHemTakesAFractionOfTheStepsAndHangsAsIfDrapedAnew) {
-  const drape::DrapeInput longer = tube(20);
+  const drape::DrapeInput longer = flared_tube(20);
   const drape::DrapeResult on = draped(going_on(longer)), anew = draped(longer);
-  EXPECT_TRUE(told(on, preflight::FindingKind::kGoesOn));
+  EXPECT_TRUE(told(on.findings, preflight::FindingKind::kGoesOn));
   EXPECT_TRUE(on.settled());
   EXPECT_LT(on.steps, 0.5 * anew.steps);
   EXPECT_EQ(on.worst.cloth_body + on.worst.cloth_cloth, 0);
@@ -81,17 +75,17 @@ TEST(GoingOn, WithALongerHemTakesAFractionOfTheStepsAndHangsAsIfDrapedAnew) {
 }
 
 TEST(GoingOn, UndoneAgainComesBackToWhereItHung) {
-  drape::DrapeInput back = tube();
-  back.before = std::make_shared<const warm::HungGarment>(draped(going_on(tube(20))).hung);
+  drape::DrapeInput back = flared_tube();
+  back.before = std::make_shared<const warm::HungGarment>(draped(going_on(flared_tube(20))).hung);
   EXPECT_LT(rms(draped(back).positions, hung().positions), 15e-3);  // folds may part anew
 }
 
 TEST(GoingOn, IsBegunFromThePiecesWhereAPieceDidNotHangBefore) {
-  drape::DrapeInput renamed = tube();
+  drape::DrapeInput renamed = flared_tube();
   renamed.pattern.panels[1].id = "yoke";
   const drape::DrapeResult r = draped(going_on(renamed));
-  EXPECT_FALSE(told(r, preflight::FindingKind::kGoesOn));
-  ASSERT_TRUE(told(r, preflight::FindingKind::kFromThePieces));
+  EXPECT_FALSE(told(r.findings, preflight::FindingKind::kGoesOn));
+  ASSERT_TRUE(told(r.findings, preflight::FindingKind::kFromThePieces));
   const auto why = std::find_if(r.findings.begin(), r.findings.end(), [](const preflight::Finding& f) {
     return f.kind == preflight::FindingKind::kFromThePieces;
   });
@@ -100,27 +94,28 @@ TEST(GoingOn, IsBegunFromThePiecesWhereAPieceDidNotHangBefore) {
 }
 
 TEST(GoingOn, MovesOutOfABodyThatHasGrownAndNeverThroughIt) {
-  drape::DrapeInput grown = tube();
+  drape::DrapeInput grown = flared_tube();
   for (Vec3& p : grown.bodies[0].mesh.vertices) {
     p.x *= 1.02;
     p.z *= 1.02;
   }
   const drape::DrapeResult r = draped(going_on(grown));
-  EXPECT_TRUE(told(r, preflight::FindingKind::kGoesOn));
+  EXPECT_TRUE(told(r.findings, preflight::FindingKind::kGoesOn));
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
   EXPECT_TRUE(r.settled());
 }
 
 TEST(GoingOn, FromAnotherPlaceOfTheBodyIsBegunFromThePiecesRatherThanThroughIt) {
-  drape::DrapeInput moved = tube();
+  drape::DrapeInput moved = flared_tube();
   for (Vec3& p : moved.bodies[0].mesh.vertices) p.x += 0.08;
   const drape::DrapeResult r = draped(going_on(moved));
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
-  EXPECT_NE(told(r, preflight::FindingKind::kGoesOn), told(r, preflight::FindingKind::kFromThePieces));
+  EXPECT_NE(told(r.findings, preflight::FindingKind::kGoesOn),
+            told(r.findings, preflight::FindingKind::kFromThePieces));
 }
 
 TEST(GoingOn, EndsInTheSameBytesHoweverOftenItIsBrokenOff) {
-  const drape::DrapeInput input = going_on(tube(20));
+  const drape::DrapeInput input = going_on(flared_tube(20));
   const drape::DrapeResult whole = draped(input);
   auto run = drape::DrapeRun::start(input, {}, nullptr).value();
   while (!run->done()) {
@@ -129,8 +124,8 @@ TEST(GoingOn, EndsInTheSameBytesHoweverOftenItIsBrokenOff) {
   }
   const drape::DrapeResult cut = run->conclude();
   EXPECT_EQ(cut.positions, whole.positions);
-  EXPECT_TRUE(told(cut, preflight::FindingKind::kGoesOn));
-  EXPECT_FALSE(drape::DrapeRun::resume(tube(20), run->checkpoint(), {}, nullptr).ok())
+  EXPECT_TRUE(told(cut.findings, preflight::FindingKind::kGoesOn));
+  EXPECT_FALSE(drape::DrapeRun::resume(flared_tube(20), run->checkpoint(), {}, nullptr).ok())
       << "from what it went on is part of the input";
 }
 
@@ -155,10 +150,10 @@ Vec3 middle(const sewing::GarmentMesh& garment, const std::vector<Vec3>& x, Inde
   return sum * (1.0 / 3);
 }
 
-/// As tube() hung with its lower corner held 8 cm up.
+/// As flared_tube() hung with its lower corner held 8 cm up.
 const drape::DrapeResult& held_up() {
   static const drape::DrapeResult result = [] {
-    const drape::DrapeInput input = going_on(tube());
+    const drape::DrapeInput input = going_on(flared_tube());
     const auto run = drape::DrapeRun::start(input, {}, nullptr).value();
     const sewing::GarmentMesh& garment = run->session().garment();
     const drape::TouchedPoint at{low_corner(garment), {0.25, 0.25, 0.5}};
@@ -180,11 +175,11 @@ double height_of_corner(const drape::DrapeResult& r) {
 TEST(GoingOn, KeepsThePinsThatHeldTheClothInAnEditedPattern) {
   ASSERT_EQ(held_up().hung.pins.size(), 1U);
   EXPECT_GT(height_of_corner(held_up()), height_of_corner(hung()) + 0.04);
-  drape::DrapeInput longer = tube(20);
+  drape::DrapeInput longer = flared_tube(20);
   longer.before = std::make_shared<const warm::HungGarment>(held_up().hung);
   const drape::DrapeResult on = draped(longer);
-  EXPECT_TRUE(told(on, preflight::FindingKind::kGoesOn));
-  EXPECT_TRUE(told(on, preflight::FindingKind::kTouched));
+  EXPECT_TRUE(told(on.findings, preflight::FindingKind::kGoesOn));
+  EXPECT_TRUE(told(on.findings, preflight::FindingKind::kTouched));
   EXPECT_GT(height_of_corner(on), height_of_corner(hung()) + 0.02) << "it is held up";
   ASSERT_EQ(on.touches.size(), 1U);
   EXPECT_EQ(on.touches[0].kind, drape::TouchKind::kPin);
@@ -199,7 +194,7 @@ TEST(GoingOn, KeepsThePinsThatHeldTheClothInAnEditedPattern) {
 }
 
 TEST(GoingOn, WithPinsDrapesTheSameAgainFromItsLogAndHoweverOftenItIsBrokenOff) {
-  drape::DrapeInput longer = tube(20);
+  drape::DrapeInput longer = flared_tube(20);
   longer.before = std::make_shared<const warm::HungGarment>(held_up().hung);
   auto run = drape::DrapeRun::start(longer, {}, nullptr).value();
   run->advance(200, {});
@@ -222,13 +217,13 @@ TEST(GoingOn, WithPinsDrapesTheSameAgainFromItsLogAndHoweverOftenItIsBrokenOff) 
 }
 
 TEST(GoingOn, SewsASeamThatIsNewAndShutsOneThatOpened) {
-  drape::DrapeInput open = tube();
+  drape::DrapeInput open = flared_tube();
   open.pattern.seams[0].a[0].to = 0.5;  // a slit at the left side
   open.pattern.seams[0].b[0].from = 0.5;
-  drape::DrapeInput shut = tube();
+  drape::DrapeInput shut = flared_tube();
   shut.before = std::make_shared<const warm::HungGarment>(draped(open).hung);
   const drape::DrapeResult r = draped(shut);
-  EXPECT_TRUE(told(r, preflight::FindingKind::kGoesOn));
+  EXPECT_TRUE(told(r.findings, preflight::FindingKind::kGoesOn));
   EXPECT_TRUE(r.open_seams.empty());
   EXPECT_EQ(r.worst.cloth_body + r.worst.cloth_cloth, 0);
 }

@@ -13,6 +13,7 @@
 #include "core/drape/checkpoint.h"
 #include "core/drape/pipeline.h"
 #include "tests/core/drape/garments.h"
+#include "tests/core/drape/runs.h"
 
 namespace toile {
 namespace {
@@ -22,18 +23,12 @@ using drape::TouchKind;
 using test::tablecloth;
 using test::tube;
 
-constexpr int kToTheEnd = std::numeric_limits<int>::max();
-
 /// What is done to a drape, by the step after which it is done.
 using Doings = std::vector<std::pair<int, std::function<void(drape::DrapeRun&)>>>;
 
 drape::DrapeInput watched(drape::DrapeInput input) {
   input.settings.frame_interval = 10;  // crossings are counted in each frame
   return input;
-}
-
-std::unique_ptr<drape::DrapeRun> begun(const drape::DrapeInput& input) {
-  return drape::DrapeRun::start(input, {}, nullptr).value();
 }
 
 /// The triangle whose middle, flat, is nearest to a place of a panel (m), held by its middle.

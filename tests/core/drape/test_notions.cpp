@@ -13,7 +13,7 @@
 namespace toile {
 namespace {
 
-constexpr double kPi = 3.14159265358979;
+constexpr double kHalfTurn = 3.14159265358979;
 
 /// Upright sheets without a body or weight, one behind the other.
 drape::DrapeInput floating(double width, double height, std::vector<double> depths) {
@@ -122,14 +122,14 @@ TEST(Notions, AnElasticWaistbandStretchesToTheGirthThatItIsOn) {
   const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
   EXPECT_TRUE(r.settled()) << drape::to_string(r.stop_reason);
   expect_clean(r);
-  const double girth = 2 * 16 * 0.07 * std::sin(kPi / 16) + 2 * kPi * 1e-3;
+  const double girth = 2 * 16 * 0.07 * std::sin(kHalfTurn / 16) + 2 * kHalfTurn * 1e-3;
   EXPECT_NEAR(ring_length(input, r) / girth, 1, 0.02);
 }
 
 TEST(Notions, ACreaseAlongALineComesToRestAtItsAngle) {
   drape::DrapeInput input = floating(100, 60, {0});
   input.pattern.panels[0].lines = {{"fold", {{0, 0}, {0, 60}}}};
-  input.notions.creases = {{"c", 0, {0}, kPi / 2, 0.05}};
+  input.notions.creases = {{"c", 0, {0}, kHalfTurn / 2, 0.05}};
   input.settings.until_settled = false;
   input.settings.max_time = 2;  // nothing holds it: it may drift
   const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
@@ -138,7 +138,7 @@ TEST(Notions, ACreaseAlongALineComesToRestAtItsAngle) {
   const auto at = [&](Vec2 p) { return place_of(input, r, {0, p}); };
   const Vec3 left = normalized(at({0, 0.03}) - at({-0.05, 0.03}));
   const Vec3 right = normalized(at({0.05, 0.03}) - at({0, 0.03}));
-  EXPECT_NEAR(std::acos(dot(left, right)) * 180 / kPi, 90, 5);
+  EXPECT_NEAR(std::acos(dot(left, right)) * 180 / kHalfTurn, 90, 5);
   EXPECT_LT(at({0.05, 0.03}).z, at({0, 0.03}).z) << "the side that is up in the flat piece stays outside";
 }
 
@@ -174,7 +174,7 @@ TEST(Notions, ALongCushionHoldsWhatAPaperBagHolds) {
   EXPECT_EQ(r.seam_gap_max, 0);
   // A tube of the strips' girth, L w²/π, less what the flat ends cost: 0.142 w³ (1 − 10^(−L/w)), the paper
   // bag problem's usual approximation.
-  const double w = kWidth, ends = 0.142 * w * w * w, bag = kLength * w * w / kPi - ends;
+  const double w = kWidth, ends = 0.142 * w * w * w, bag = kLength * w * w / kHalfTurn - ends;
   EXPECT_NEAR(volume_inside(r) / bag, 1, 0.05);
   const Vec3 moved = mean(r.positions) - Vec3{0, 1 + kLength / 2, -0.003};
   EXPECT_LT(length(moved), 3e-3) << "the pressure's forces cancel: it stays where it was";
@@ -192,7 +192,7 @@ TEST(Notions, ADrapeWithAllOfThemGoesOnFromACheckpointInTheSameBytes) {
   input.pattern.panels[0].lines = {{"fold", {{-20, 160}, {20, 160}}}};
   input.notions.buttons = {{"tuft", {0, {0, 0.2}}, {1, {0, 0.2}}, 2e-3}};
   input.notions.elastics = {{"band", 1, {1}, {}, 0.8, 5}};
-  input.notions.creases = {{"c", 0, {0}, kPi / 2, 0.05}};
+  input.notions.creases = {{"c", 0, {0}, kHalfTurn / 2, 0.05}};
   input.settings.air.density = 1.2;
   const drape::DrapeResult whole = drape::drape(input, {}, nullptr).value();
   auto run = drape::DrapeRun::start(input, {}, nullptr).value();

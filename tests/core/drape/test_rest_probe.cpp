@@ -9,7 +9,7 @@ namespace {
 
 using Answer = drape::RestProbe::Answer;
 
-constexpr double kStep = 1e-3, kSpeed = 5e-3;
+constexpr double kProbeStep = 1e-3, kSpeed = 5e-3;
 constexpr int kSide = 40;
 
 /// A square of kSide by kSide vertices.
@@ -33,14 +33,14 @@ Answer answer_to(drape::RestProbe& probe, Motion moved) {
   probe.begin(x);
   Answer answer = Answer::kNotYet;
   for (int s = 1; s <= 1000 && answer == Answer::kNotYet; ++s) {
-    for (std::size_t v = 0; v < x.size(); ++v) x[v].y = moved(static_cast<int>(v), s * kStep);
+    for (std::size_t v = 0; v < x.size(); ++v) x[v].y = moved(static_cast<int>(v), s * kProbeStep);
     answer = probe.observe(x, triangles);
   }
   return answer;
 }
 template <typename Motion>
 Answer answer_to(Motion moved) {
-  drape::RestProbe probe(kStep, kSpeed);
+  drape::RestProbe probe(kProbeStep, kSpeed);
   return answer_to(probe, moved);
 }
 
@@ -65,7 +65,7 @@ TEST(RestProbe, ASingleVertexMayHop) {
 }
 
 TEST(RestProbe, WhatNeverStaysIsNotAskedForEver) {
-  drape::RestProbe probe(kStep, kSpeed);
+  drape::RestProbe probe(kProbeStep, kSpeed);
   int asked = 0;
   for (; probe.asks() && asked < 100; ++asked) {
     EXPECT_NE(answer_to(probe, [](int v, double t) { return in_patch(v) ? t : 0; }), Answer::kStays);

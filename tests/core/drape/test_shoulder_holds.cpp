@@ -33,7 +33,7 @@ drape::DrapeInput slippery() {
   return input;
 }
 
-std::ptrdiff_t told(const drape::DrapeResult& result, preflight::FindingKind kind) {
+std::ptrdiff_t times_told(const drape::DrapeResult& result, preflight::FindingKind kind) {
   return std::count_if(result.findings.begin(), result.findings.end(),
                        [&](const preflight::Finding& f) { return f.kind == kind; });
 }
@@ -43,8 +43,8 @@ TEST(ShoulderHolds, StrapsThatWouldSlideOffAreKeptOnAndNamed) {
   EXPECT_EQ(result.worn, drape::Worn::kYes);
   for (const std::size_t side : {measure::kWearersLeft, measure::kWearersRight})
     EXPECT_TRUE(dressing::lies_on_shoulder(figure(), side, result.positions)) << side;
-  EXPECT_EQ(told(result, preflight::FindingKind::kHeldOn), 2);
-  EXPECT_EQ(told(result, preflight::FindingKind::kOffShoulder), 0);
+  EXPECT_EQ(times_told(result, preflight::FindingKind::kHeldOn), 2);
+  EXPECT_EQ(times_told(result, preflight::FindingKind::kOffShoulder), 0);
   EXPECT_EQ(result.worst.cloth_body + result.worst.cloth_cloth, 0);
 }
 
@@ -54,7 +54,7 @@ TEST(ShoulderHolds, InTrueMotionNothingKeepsThem) {
   input.settings.max_time = 3;
   const drape::DrapeResult result = drape::drape(input, {}, nullptr).value();
   EXPECT_EQ(result.worn, drape::Worn::kNo);
-  EXPECT_EQ(told(result, preflight::FindingKind::kHeldOn), 0);
+  EXPECT_EQ(times_told(result, preflight::FindingKind::kHeldOn), 0);
 }
 
 TEST(ShoulderHolds, NoClothIsDrawnFartherInThanNearTheShouldersEnd) {

@@ -9,14 +9,10 @@
 #include "core/drape/worn_verdict.h"
 #include "tests/core/arrange/garments.h"
 #include "tests/core/drape/heap.h"
+#include "tests/core/drape/runs.h"
 
 namespace toile {
 namespace {
-
-bool told(const preflight::Findings& findings, preflight::FindingKind kind) {
-  return std::any_of(findings.begin(), findings.end(),
-                     [&](const preflight::Finding& f) { return f.kind == kind; });
-}
 
 /// A garment on the mannequin, `moved` as a whole.
 struct OnBody {

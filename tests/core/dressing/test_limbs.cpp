@@ -8,7 +8,7 @@ namespace toile {
 namespace {
 
 /// Someone of 1.7 m with the arms held down and out.
-measure::BodyFigure figure() {
+measure::BodyFigure figure_of_mannequin() {
   measure::BodyFigure f;
   f.top = 1.7;
   f.crotch = 0.78;
@@ -24,7 +24,7 @@ measure::BodyFigure figure() {
 }
 
 TEST(Limbs, AreWhatHangsBelowTheCrotchOrAlongAnArm) {
-  const measure::BodyFigure person = figure();
+  const measure::BodyFigure person = figure_of_mannequin();
   EXPECT_TRUE(dressing::is_around_limb(person, {0.1, 0.5, 0.05})) << "a knee";
   EXPECT_TRUE(dressing::is_around_limb(person, {0.44, 1.0, 0.05})) << "a left cuff";
   EXPECT_TRUE(dressing::is_around_limb(person, {-0.3, 1.25, -0.06})) << "a right sleeve";
@@ -32,7 +32,7 @@ TEST(Limbs, AreWhatHangsBelowTheCrotchOrAlongAnArm) {
 }
 
 TEST(Limbs, AreNotTheTrunkTheNeckOrWhatHangsAroundAll) {
-  const measure::BodyFigure person = figure();
+  const measure::BodyFigure person = figure_of_mannequin();
   EXPECT_FALSE(dressing::is_around_limb(person, {0.13, 1.0, 0.1})) << "a waist";
   EXPECT_FALSE(dressing::is_around_limb(person, {0.18, 0.9, 0})) << "a hip";
   EXPECT_FALSE(dressing::is_around_limb(person, {0, 1.5, 0.05})) << "a neck";

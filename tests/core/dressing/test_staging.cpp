@@ -29,7 +29,7 @@ std::vector<Vec2> half_disc(double waist, double hem) {
   return corners;
 }
 
-pattern::Pattern top() {
+pattern::Pattern plain_top() {
   pattern::Pattern p;
   const std::vector<Vec2> corners{{-220, 0}, {220, 0},   {240, 280}, {190, 420},  {190, 500},  {90, 500},
                                   {90, 380}, {-90, 380}, {-90, 500}, {-190, 500}, {-190, 420}, {-240, 280}};
@@ -40,7 +40,7 @@ pattern::Pattern top() {
 }
 
 pattern::Pattern circle_dress() {
-  pattern::Pattern p = top();
+  pattern::Pattern p = plain_top();
   const std::vector<Vec2> disc = half_disc(140, 800);
   const auto last = static_cast<Index>(disc.size()) - 1;
   p.panels.push_back(test::polygon("skirt_front", disc));
@@ -119,7 +119,7 @@ TEST(Staging, FoldingIsNoOtherWayWhereNothingIsWide) {
   const dressing::Wearer wearer(test::person());
   const std::vector<dressing::DressingWay>& ways = dressing::dressing_ways();
   ASSERT_EQ(ways[1].staging.below, dressing::Wide::kFolded);
-  EXPECT_TRUE(dressing::same_way(placed(top()), wearer, ways[0], ways[1]));
+  EXPECT_TRUE(dressing::same_way(placed(plain_top()), wearer, ways[0], ways[1]));
   EXPECT_FALSE(dressing::same_way(placed(circle_dress()), wearer, ways[0], ways[1]));
 }
 

@@ -4,14 +4,13 @@
 
 #include <cmath>
 
+#include "core/base/units.h"
 #include "core/paper/bend.h"
 #include "core/paper/integrate.h"
 #include "core/paper/stretch.h"
 
 namespace toile {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(Verlet, WhatFallsGoesHalfOfGTSquaredAndAStepMore) {
   // x_n = g·Δt²·n(n+1)/2 from a standstill: the exact way and half a step's worth.

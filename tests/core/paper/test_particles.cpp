@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/units.h"
 #include "core/material/coefficients.h"
 #include "core/paper/paper_cloth.h"
 #include "core/paper/particles.h"
@@ -12,8 +13,6 @@
 
 namespace toile {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(PaperParticles, WeighTogetherWhatTheClothWeighs) {
   const auto particles = test::particles_of(test::sheet(6, 4), material::Fabric{});

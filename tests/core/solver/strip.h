@@ -5,6 +5,12 @@
 #include "core/sewing/assembly.h"
 #include "core/solver/cloth_solver.h"
 
+namespace toile {
+
+inline constexpr double kGravity = 9.81;  // m/s²
+
+}  // namespace toile
+
 namespace toile::test {
 
 /// A line as a cubic.
@@ -53,6 +59,13 @@ inline Strip make_strip(std::vector<double> cuts, double height, double h, Vec2 
   strip.model = solver::make_cloth_model(garment, vertex_of, static_cast<Index>(strip.rest.size()), warps,
                                          std::span(&fabric, 1), fabrics);
   return strip;
+}
+
+/// Where its vertices are when it lies level.
+inline std::vector<Vec3> lying(const Strip& strip, double y) {
+  std::vector<Vec3> x;
+  for (const Vec2& p : strip.rest) x.push_back({p.x, y, p.y});
+  return x;
 }
 
 /// One pass over positions as the rest of the program has them.

@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-constexpr double kOverhang = 0.1, kInside = 0.01, kGravity = 9.81, kStandard = 41.5, kTolerance = 2.2;
+constexpr double kOverhang = 0.1, kInside = 0.01, kStandard = 41.5, kTolerance = 2.2;
 
 /// Rigidity with which the overhang is 0.1 m.
 double rigidity_for(double areal_mass) {

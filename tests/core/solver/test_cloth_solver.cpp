@@ -12,12 +12,6 @@ namespace toile {
 namespace {
 
 /// The strip flat in the x-z plane at height y.
-std::vector<Vec3> lying(const test::Strip& strip, double y) {
-  std::vector<Vec3> x;
-  for (const Vec2& p : strip.rest) x.push_back({p.x, y, p.y});
-  return x;
-}
-
 double mean_height(const solver::ClothSolver& solver) {
   double sum = 0;
   for (const Vec3& p : solver.positions()) sum += p.y;

@@ -9,7 +9,7 @@ namespace {
 
 using solver::constraints::Leash;
 
-constexpr double kStep = 1.0 / 3000;  // s
+constexpr double kLeashStep = 1.0 / 3000;  // s
 
 /// One vertex of `mass` (kg) that hangs on a leash under `force` (N, upwards) until it is at rest.
 double at_rest(double mass, double force, const Leash& leash) {
@@ -18,11 +18,11 @@ double at_rest(double mass, double force, const Leash& leash) {
   Vec3 velocity;
   for (int step = 0; step < 30000; ++step) {
     const Vec3 before = x[0];
-    velocity.y += force / mass * kStep;
+    velocity.y += force / mass * kLeashStep;
     velocity = velocity * 0.99;
-    x[0] += velocity * kStep;
-    solve_leashes(std::span(&leash, 1), w, kStep, x);
-    velocity = (x[0] - before) * (1 / kStep);
+    x[0] += velocity * kLeashStep;
+    solve_leashes(std::span(&leash, 1), w, kLeashStep, x);
+    velocity = (x[0] - before) * (1 / kLeashStep);
   }
   return x[0].y;
 }
@@ -55,11 +55,11 @@ TEST(Leash, SharesItsPullAmongItsPatchAndKeepsItsMomentum) {
   leash.most_force = 2;
   std::vector<Vec3> x{{-1, 0, 0}, {1, 0, 0}, {1, 0, 0}};
   const std::vector<double> w{100, 200, 400};
-  solve_leashes(std::span(&leash, 1), w, kStep, x);
+  solve_leashes(std::span(&leash, 1), w, kLeashStep, x);
   Vec3 impulse;
   for (std::size_t i = 0; i < 3; ++i)
     impulse += (x[i] - (i == 0 ? Vec3{-1, 0, 0} : Vec3{1, 0, 0})) * (1 / w[i]);
-  EXPECT_NEAR(impulse.z, 2 * kStep * kStep, 1e-12);  // it would be 100 N: the limit holds
+  EXPECT_NEAR(impulse.z, 2 * kLeashStep * kLeashStep, 1e-12);  // it would be 100 N: the limit holds
   EXPECT_NEAR(impulse.x, 0, 1e-12);
 }
 
@@ -72,7 +72,7 @@ TEST(Leash, OfWhatIsHeldFastDoesNothing) {
   leash.most_force = 2;
   std::vector<Vec3> x(3);
   const std::vector<double> w{0, 0, 0};
-  solve_leashes(std::span(&leash, 1), w, kStep, x);
+  solve_leashes(std::span(&leash, 1), w, kLeashStep, x);
   for (const Vec3& p : x) EXPECT_EQ(p, Vec3{});
 }
 

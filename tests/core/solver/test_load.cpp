@@ -7,8 +7,6 @@
 namespace toile {
 namespace {
 
-constexpr double kGravity = 9.81;
-
 void run(solver::ClothSolver& solver, double damping, double seconds, double gravity = kGravity) {
   solver::StepForces forces;
   forces.gravity = gravity;

@@ -8,8 +8,6 @@
 namespace toile {
 namespace {
 
-constexpr double kGravity = 9.81;
-
 /// A strip of `height` metres hung by its upper edge, the warp upright, at rest shape.
 struct Hung {
   test::Strip strip;

@@ -10,18 +10,12 @@
 namespace toile {
 namespace {
 
-constexpr double kStep = 1.0 / 3000;
+constexpr double kFallStep = 1.0 / 3000;
 constexpr double kDrop = 0.05;  // m
 
 collision::Obstacle floor_of(double restitution) {
   const std::vector<Vec3> x{{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, {1, 0, 1}};
   return collision::make_obstacle(x, std::vector<Tri>{{0, 2, 1}, {1, 2, 3}}, 0.4, 1e-3, restitution);
-}
-
-std::vector<Vec3> lying(const test::Strip& strip, double y) {
-  std::vector<Vec3> x;
-  for (const Vec2& p : strip.rest) x.push_back({p.x, y, p.y});
-  return x;
 }
 
 double mean_height(const std::vector<Vec3>& x) {
@@ -40,13 +34,13 @@ struct Fall {
 Fall fall(double restitution, double seconds, double factor = 1) {
   const test::Strip strip = test::make_strip({0, 100}, 100, 0.02, {0, 1}, material::Fabric{});
   const std::vector<collision::Obstacle> obstacles{floor_of(restitution)};
-  solver::ClothSolver solver(strip.model, lying(strip, kDrop + 1e-3), obstacles, kStep);
+  solver::ClothSolver solver(strip.model, lying(strip, kDrop + 1e-3), obstacles, kFallStep);
   solver::StepForces forces;
   forces.damping = 0;
   forces.restitution = factor;
   Fall out;
   bool struck = false;
-  for (int i = 0; i < seconds / kStep; ++i) {
+  for (int i = 0; i < seconds / kFallStep; ++i) {
     solver.step(forces);
     const double y = mean_height(solver.positions()) - 1e-3;
     struck = struck || y < 1e-3;

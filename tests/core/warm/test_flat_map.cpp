@@ -16,21 +16,21 @@ pattern::Pattern sheet(double hem) {
   return {{test::polygon("sheet", {{0, -hem}, {300, -hem}, {300, 400}, {0, 400}})}, {}};
 }
 
-mesh::PanelMeshes meshed(const pattern::Pattern& pattern) {
+mesh::PanelMeshes finely_meshed(const pattern::Pattern& pattern) {
   return mesh::make_panel_meshes(pattern, 0.02, {}).value();
 }
 
 warm::HungPiece piece_of(const pattern::Pattern& pattern) {
-  return warm::flat_pieces(pattern, meshed(pattern)).pieces[0];
+  return warm::flat_pieces(pattern, finely_meshed(pattern)).pieces[0];
 }
 
 TEST(PlacesBefore, AreWhereTheyWereInAPieceThatNobodyChanged) {
-  const mesh::PanelMesh now = meshed(sheet(0)).panels[0];
+  const mesh::PanelMesh now = finely_meshed(sheet(0)).panels[0];
   EXPECT_EQ(warm::places_before(piece_of(sheet(0)), now, kEdges), now.rest);
 }
 
 TEST(PlacesBefore, ShareOutALongerPieceOverTheWholeOfTheOldOne) {
-  const mesh::PanelMesh now = meshed(sheet(100)).panels[0];  // 500 mm long, 400 before
+  const mesh::PanelMesh now = finely_meshed(sheet(100)).panels[0];  // 500 mm long, 400 before
   const std::vector<Vec2> places = warm::places_before(piece_of(sheet(0)), now, kEdges);
   for (std::size_t v = 0; v < places.size(); ++v) {
     EXPECT_NEAR(places[v].x, now.rest[v].x, 1e-3);
@@ -40,7 +40,7 @@ TEST(PlacesBefore, ShareOutALongerPieceOverTheWholeOfTheOldOne) {
 
 TEST(PlacesBefore, OfAChangeAtOneEndFadeTowardsTheOther) {
   pattern::Pattern edited{{test::polygon("sheet", {{0, 0}, {320, 0}, {300, 400}, {0, 400}})}, {}};
-  const mesh::PanelMesh now = meshed(edited).panels[0];
+  const mesh::PanelMesh now = finely_meshed(edited).panels[0];
   const std::vector<Vec2> places = warm::places_before(piece_of(sheet(0)), now, kEdges);
   double most = 0, far = 0;
   for (std::size_t v = 0; v < places.size(); ++v) {
@@ -56,7 +56,7 @@ TEST(PlacesBefore, TakeEdgesThatWereNotThereToTheNearestPlaceOnTheBorder) {
   // The hem, 30 mm lower, is two edges now.
   pattern::Pattern edited{{test::polygon("sheet", {{0, -30}, {150, -30}, {300, -30}, {300, 400}, {0, 400}})},
                           {}};
-  const mesh::PanelMesh now = meshed(edited).panels[0];
+  const mesh::PanelMesh now = finely_meshed(edited).panels[0];
   const std::vector<Vec2> places =
       warm::places_before(piece_of(sheet(0)), now, {"left hem", "right hem", "e1", "e2", "e3"});
   for (const Vec2& p : places) {

@@ -7,28 +7,28 @@
 namespace toile {
 namespace {
 
-struct Person {
+struct MarkedMesh {
   geometry::TriangleMesh mesh;
   std::vector<measure::Landmark> landmarks;
 };
 
-Person with_waist(double waist) {
+MarkedMesh with_waist(double waist) {
   mannequin::MannequinSettings settings;
   settings.asked[measure::Measure::kHeight] = 1.68;
   settings.asked[measure::Measure::kWaist] = waist;
   settings.triangle_count = 3300;
-  Person person{mannequin::make_mannequin(settings).value().mesh, {}};
+  MarkedMesh person{mannequin::make_mannequin(settings).value().mesh, {}};
   person.landmarks = measure::find_landmarks(person.mesh, measure::find_figure(person.mesh).value());
   return person;
 }
 
 /// The trunk's triangle that looks most to the wearer's left front at a height.
-measure::SkinPoint spot_on(const Person& person, double height) {
+measure::SkinPoint spot_on(const MarkedMesh& person, double height) {
   return measure::nearest_on_skin(person.mesh, {0.1, height, 0.2});
 }
 
 TEST(OwnLandmarks, AreKeptThroughAChangeOfMeasures) {
-  const Person slim = with_waist(0.70), stout = with_waist(0.92);
+  const MarkedMesh slim = with_waist(0.70), stout = with_waist(0.92);
   ASSERT_NE(slim.mesh.triangles, stout.mesh.triangles)
       << "their triangles have nothing to do with each other";
   const measure::SkinPoint spot =
@@ -51,7 +51,7 @@ TEST(OwnLandmarks, AreKeptThroughAChangeOfMeasures) {
 }
 
 TEST(OwnLandmarks, OnAMeshAreAPointOfATriangle) {
-  const Person person = with_waist(0.74);
+  const MarkedMesh person = with_waist(0.74);
   const measure::OwnLandmark own{"mole", {17, {0.2, 0.3, 0.5}}, "", {}};
   std::vector<measure::Landmark> marks = person.landmarks;
   ASSERT_TRUE(measure::add_own_landmarks(person.mesh, {&own, 1}, marks));
@@ -59,7 +59,7 @@ TEST(OwnLandmarks, OnAMeshAreAPointOfATriangle) {
 }
 
 TEST(OwnLandmarks, MayBeToldFromEachOtherInTheirOrder) {
-  const Person person = with_waist(0.74);
+  const MarkedMesh person = with_waist(0.74);
   const measure::OwnLandmark own[] = {{"first", {}, "hip_front", {0.02, 0, 0}},
                                       {"second", {}, "first", {0, 0.02, 0}}};
   std::vector<measure::Landmark> marks = person.landmarks;
@@ -69,7 +69,7 @@ TEST(OwnLandmarks, MayBeToldFromEachOtherInTheirOrder) {
 }
 
 TEST(OwnLandmarks, RefuseWhatIsNotOnTheBody) {
-  const Person person = with_waist(0.74);
+  const MarkedMesh person = with_waist(0.74);
   const auto code_of = [&](const measure::OwnLandmark& own) {
     std::vector<measure::Landmark> marks = person.landmarks;
     return measure::add_own_landmarks(person.mesh, {&own, 1}, marks).error().code;
@@ -85,7 +85,7 @@ TEST(OwnLandmarks, RefuseWhatIsNotOnTheBody) {
 }
 
 TEST(OwnLandmarks, MoveTheNamedOnesAndAreToldFromTheirFirstPlaces) {
-  const Person person = with_waist(0.74);
+  const MarkedMesh person = with_waist(0.74);
   std::vector<measure::Landmark> marks = person.landmarks;
   const Vec3 before = measure::landmark_named(marks, "hip_front")->place;
   const measure::OwnLandmark moved{"hip_front", {}, "hip_front", {0.04, 0.02, 0}};

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A cube with one lid turned over and another missing.
-constexpr const char* kCube =
+constexpr const char* kSentCube =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 4 8 5\n";
 
@@ -49,7 +49,7 @@ class ImportMesh : public testing::Test {
     return mesh_import::MeshImporter(path, limits);
   }
   Error error_of(const std::string& script) {
-    const Result<mesh_import::RepairedMesh> mesh = played_by(script).bytes("given.obj", kCube, {});
+    const Result<mesh_import::RepairedMesh> mesh = played_by(script).bytes("given.obj", kSentCube, {});
     return mesh ? Error{"ok", "", ""} : mesh.error();
   }
 
@@ -58,9 +58,9 @@ class ImportMesh : public testing::Test {
 
 TEST_F(ImportMesh, ReadsAndMendsInThisProcessWithoutAReader) {
   const mesh_import::MeshImporter here;
-  const std::string path = write("cube.obj", kCube);
+  const std::string path = write("cube.obj", kSentCube);
   for (const Result<mesh_import::RepairedMesh>& mesh :
-       {here.file(path, {}), here.bytes("cube.obj", kCube, {}), here.stored(path, "cube.obj", {})}) {
+       {here.file(path, {}), here.bytes("cube.obj", kSentCube, {}), here.stored(path, "cube.obj", {})}) {
     ASSERT_TRUE(mesh) << to_string(mesh.error());
     EXPECT_EQ(mesh->repairs.turned, 2);
     EXPECT_EQ(open_edges(mesh->mesh), 0);
@@ -69,9 +69,9 @@ TEST_F(ImportMesh, ReadsAndMendsInThisProcessWithoutAReader) {
 }
 
 TEST_F(ImportMesh, TakesWhatTheReaderSends) {
-  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter().bytes("cube.obj", kCube, {});
+  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter().bytes("cube.obj", kSentCube, {});
   const std::string path = write("message", mesh_import::mesh_message(mesh));
-  const Result<mesh_import::RepairedMesh> sent = played_by("cat " + path).bytes("cube.obj", kCube, {});
+  const Result<mesh_import::RepairedMesh> sent = played_by("cat " + path).bytes("cube.obj", kSentCube, {});
   ASSERT_TRUE(sent) << to_string(sent.error());
   EXPECT_EQ(sent->mesh.vertices, mesh->mesh.vertices);
   EXPECT_EQ(sent->mesh.triangles, mesh->mesh.triangles);
@@ -84,7 +84,7 @@ TEST_F(ImportMesh, GivesTheReaderTheBytesAndTheSettings) {
       "; for part in mesh.unreadable \"$text\" here; do printf \"\\\\$(printf %o ${#part})\\\\0\\\\0\\\\0\"; "
       "printf %s \"$part\"; done";
   const Result<mesh_import::RepairedMesh> mesh =
-      played_by(script).bytes("given.obj", kCube, {.unit_in_m = 0.01, .z_up = true});
+      played_by(script).bytes("given.obj", kSentCube, {.unit_in_m = 0.01, .z_up = true});
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, "mesh.unreadable");
   EXPECT_EQ(mesh.error().message, "import-mesh bytes given.obj 0.01 z [v 0 0 0]");
@@ -108,7 +108,7 @@ TEST_F(ImportMesh, TellsOfAReaderThatHangs) {
 TEST_F(ImportMesh, EndsAReaderForWhichNobodyWaits) {
   const std::atomic<bool> cancel{true};
   const Result<mesh_import::RepairedMesh> mesh =
-      played_by("exec sleep 1000").bytes("given.obj", kCube, {}, &cancel);
+      played_by("exec sleep 1000").bytes("given.obj", kSentCube, {}, &cancel);
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, "mesh.cancelled");
   EXPECT_EQ(mesh.error().kind, ErrorKind::kCancelled);
@@ -133,20 +133,20 @@ TEST_F(ImportMesh, TellsOfAReaderThatTalksNonsense) {
 
 TEST_F(ImportMesh, SaysThatTheReaderIsMissing) {
   const Result<mesh_import::RepairedMesh> mesh =
-      mesh_import::MeshImporter("/no/such/reader").bytes("a.obj", kCube, {});
+      mesh_import::MeshImporter("/no/such/reader").bytes("a.obj", kSentCube, {});
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, "mesh.reader");
   EXPECT_EQ(mesh.error().where, "a.obj");
 }
 
 TEST_F(ImportMesh, ServesManyThreadsTwoAtATime) {
-  const std::string path =
-      write("message", mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {})));
+  const std::string path = write(
+      "message", mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kSentCube, {})));
   const mesh_import::MeshImporter importer = played_by("cat " + path);
   std::atomic<int> good{0};
   std::vector<std::thread> threads;
   for (int i = 0; i < 6; ++i) {
-    threads.emplace_back([&] { good += importer.bytes("cube.obj", kCube, {}).ok(); });
+    threads.emplace_back([&] { good += importer.bytes("cube.obj", kSentCube, {}).ok(); });
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(good, 6);
@@ -167,7 +167,7 @@ TEST(ImportMeshLimits, ASmallFileMayTakeLittleAndALargeOneNoMoreThanAny) {
 }
 
 TEST(MeshMessage, ComesBackAsItWasSent) {
-  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter().bytes("cube.obj", kCube, {});
+  const Result<mesh_import::RepairedMesh> mesh = mesh_import::MeshImporter().bytes("cube.obj", kSentCube, {});
   const Result<mesh_import::RepairedMesh> back =
       mesh_import::parse_mesh_message(mesh_import::mesh_message(mesh));
   ASSERT_TRUE(back);
@@ -182,7 +182,7 @@ TEST(MeshMessage, ComesBackAsItWasSent) {
 
 TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
   const std::string whole =
-      mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {}));
+      mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kSentCube, {}));
   for (std::size_t length = 0; length < whole.size(); ++length) {
     EXPECT_FALSE(mesh_import::parse_mesh_message(whole.substr(0, length))) << length;
   }
@@ -200,7 +200,8 @@ TEST(MeshMessage, IsRefusedWhenItIsCutOrChangedAnywhere) {
 }
 
 TEST(MeshMessage, WithMoreRepairsThanCanBeCountedIsRefused) {
-  std::string message = mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kCube, {}));
+  std::string message =
+      mesh_import::mesh_message(mesh_import::MeshImporter().bytes("cube.obj", kSentCube, {}));
   message[15] =
       static_cast<char>(0x80);  // the highest byte of the first count, behind the opening and the kind
   EXPECT_FALSE(mesh_import::parse_mesh_message(message));

@@ -12,33 +12,33 @@ using namespace dxf_text;
 using dxf::DxfRole;
 
 /// A piece with all that layers tell, on layers of the caller's.
-struct Layers {
+struct LayerNames {
   std::string cut = "1", sew = "14", internal = "8", grain = "7", notch = "4", drill = "13", turn = "2",
               hole = "11";
 };
 
-std::string drawn(const Layers& on) {
+std::string drawn(const LayerNames& on) {
   return entities(rectangle({0, 0}, 300, 400, on.cut) + rectangle({10, 10}, 280, 380, on.sew) +
                   line({50, 100}, {50, 300}, on.internal) + line({150, 100}, {150, 200}, on.grain) +
                   line({0, 200}, {6, 200}, on.notch) + point({100, 100}, on.drill) +
                   point({150, 10}, on.turn) + rectangle({200, 200}, 20, 20, on.hole));
 }
 
-dxf::DxfSettings told(dxf::DxfLayerMap layers) {
+dxf::DxfSettings with_layers(dxf::DxfLayerMap layers) {
   dxf::DxfSettings settings = in_mm();
   settings.layers = std::move(layers);
   return settings;
 }
 
 /// The numbers of AAMA, all used for something else.
-const Layers kSwapped{.cut = "8",
-                      .sew = "7",
-                      .internal = "14",
-                      .grain = "1",
-                      .notch = "13",
-                      .drill = "4",
-                      .turn = "11",
-                      .hole = "2"};
+const LayerNames kSwapped{.cut = "8",
+                          .sew = "7",
+                          .internal = "14",
+                          .grain = "1",
+                          .notch = "13",
+                          .drill = "4",
+                          .turn = "11",
+                          .hole = "2"};
 const dxf::DxfLayerMap kSwappedMap{
     {"8", DxfRole::kCut},    {"7", DxfRole::kSew},   {"14", DxfRole::kInternal}, {"1", DxfRole::kGrain},
     {"13", DxfRole::kNotch}, {"4", DxfRole::kDrill}, {"11", DxfRole::kTurn},     {"2", DxfRole::kCutout}};
@@ -67,33 +67,33 @@ TEST(DxfLayers, SwappedNumbersReadAsTheUsualOnesOnceTheyAreTold) {
   EXPECT_EQ(piece.drills.size(), 1u);
   EXPECT_EQ(piece.turn_points.size(), 1u);
   EXPECT_EQ(piece.internals.size(), 1u);
-  expect_same_piece(usual, read_trial(drawn(kSwapped), told(kSwappedMap)));
+  expect_same_piece(usual, read_trial(drawn(kSwapped), with_layers(kSwappedMap)));
   const Result<dxf::DxfDrawing> untold = dxf::read_dxf(drawn(kSwapped), in_mm());
   EXPECT_TRUE(!untold || untold->pieces[0].outline != piece.outline) << "the map must make the difference";
 }
 
 TEST(DxfLayers, NamesOfOnesOwnReadAsTheUsualOnesOnceTheyAreTold) {
-  const Layers own{"Aussen", "Naht", "Innen", "FL", "K", "B", "E", "L"};
+  const LayerNames own{"Aussen", "Naht", "Innen", "FL", "K", "B", "E", "L"};
   expect_same_piece(read_trial(drawn({}), in_mm()),
-                    read_trial(drawn(own), told({{"Aussen", DxfRole::kCut},
-                                                 {"Naht", DxfRole::kSew},
-                                                 {"Innen", DxfRole::kInternal},
-                                                 {"FL", DxfRole::kGrain},
-                                                 {"K", DxfRole::kNotch},
-                                                 {"B", DxfRole::kDrill},
-                                                 {"E", DxfRole::kTurn},
-                                                 {"L", DxfRole::kCutout}})));
+                    read_trial(drawn(own), with_layers({{"Aussen", DxfRole::kCut},
+                                                        {"Naht", DxfRole::kSew},
+                                                        {"Innen", DxfRole::kInternal},
+                                                        {"FL", DxfRole::kGrain},
+                                                        {"K", DxfRole::kNotch},
+                                                        {"B", DxfRole::kDrill},
+                                                        {"E", DxfRole::kTurn},
+                                                        {"L", DxfRole::kCutout}})));
 }
 
 TEST(DxfLayers, WhatTellsNothingNewChangesNothing) {
   expect_same_piece(read_trial(drawn({}), in_mm()),
-                    read_trial(drawn({}), told({{"1", DxfRole::kCut}, {"14", DxfRole::kSew}})));
+                    read_trial(drawn({}), with_layers({{"1", DxfRole::kCut}, {"14", DxfRole::kSew}})));
 }
 
 TEST(DxfLayers, AFoldLineUnfoldsAlsoInADrawingOfFreeLayers) {
   const std::string text = entities(rectangle({0, 0}, 150, 400, "OUT") + line({0, 0}, {0, 400}, "AXIS"));
   EXPECT_FALSE(read_trial(text, in_mm()).pieces[0].unfolded);
-  const dxf::DxfDrawing d = read_trial(text, told({{"AXIS", DxfRole::kMirror}}));
+  const dxf::DxfDrawing d = read_trial(text, with_layers({{"AXIS", DxfRole::kMirror}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_TRUE(d.pieces[0].unfolded);
   EXPECT_NEAR(area_of(d.pieces[0]), 2 * 150 * 400, 1e-6);
@@ -102,7 +102,7 @@ TEST(DxfLayers, AFoldLineUnfoldsAlsoInADrawingOfFreeLayers) {
 TEST(DxfLayers, AnInternalLineThatIsToldAsSuchIsNoSewLine) {
   const std::string text = entities(rectangle({0, 0}, 300, 400, "1") + rectangle({10, 10}, 280, 380, "8"));
   EXPECT_TRUE(read_trial(text, in_mm()).pieces[0].on_sew_line);
-  const dxf::DxfDrawing d = read_trial(text, told({{"8", DxfRole::kInternal}}));
+  const dxf::DxfDrawing d = read_trial(text, with_layers({{"8", DxfRole::kInternal}}));
   EXPECT_NEAR(area_of(d.pieces[0]), 300 * 400, 1e-6);
   EXPECT_EQ(d.pieces[0].internals.size(), 1u);
 }
@@ -113,7 +113,7 @@ TEST(DxfLayers, IgnoredOnesAreLeftOutAndToldOf) {
                dxf_text::text({700, 100}, "note", "B") + dxf_text::text({100, 100}, "Units: METRIC", "B") +
                dxf_text::text({100, 100}, "Front", "A"));
   EXPECT_EQ(read_trial(text, in_mm()).pieces.size(), 2u);
-  const dxf::DxfDrawing d = read_trial(text, told({{"B", DxfRole::kIgnored}}));
+  const dxf::DxfDrawing d = read_trial(text, with_layers({{"B", DxfRole::kIgnored}}));
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_EQ(d.pieces[0].layer, "A");
   EXPECT_EQ(d.pieces[0].name, "Front");
@@ -128,7 +128,7 @@ TEST(DxfLayers, AreListedWithWhatStandsOnThemAndWhatTheyAreReadAs) {
       read_trial(entities(rectangle({0, 0}, 300, 400, "1") + line({10, 10}, {20, 10}, "X") +
                           line({10, 20}, {20, 20}, "X") + point({100, 100}, "13") +
                           dxf_text::text({100, 100}, "Front", "15")),
-                 told({{"X", DxfRole::kGrain}}));
+                 with_layers({{"X", DxfRole::kGrain}}));
   ASSERT_EQ(d.layers.size(), 4u);
   const auto said = [&](std::size_t i) {
     const dxf::DxfLayerUse& layer = d.layers[i];
@@ -145,7 +145,7 @@ TEST(DxfLayers, AreListedWithWhatStandsOnThemAndWhatTheyAreReadAs) {
 TEST(DxfLayers, OfADrawingOfFreeLayersGoByShape) {
   const dxf::DxfDrawing d =
       read_trial(entities(rectangle({0, 0}, 300, 400, "A") + line({10, 10}, {20, 10}, "B")),
-                 told({{"B", DxfRole::kGrain}}));
+                 with_layers({{"B", DxfRole::kGrain}}));
   ASSERT_EQ(d.layers.size(), 2u);
   EXPECT_EQ(dxf::read_as(d.layers[0]), "shape");
   EXPECT_EQ(dxf::read_as(d.layers[1]), "grain");
@@ -161,7 +161,7 @@ TEST(DxfLayers, AreListedOfAFileWithoutPiecesToo) {
   EXPECT_EQ(dxf::read_as((*layers)[1]), "grade");
   EXPECT_TRUE((*layers)[1].drawn);
   const dxf::DxfLayerMap way_out{{"5", DxfRole::kCut}, {"1", DxfRole::kGrain}};
-  EXPECT_EQ(read_trial(text, told(way_out)).pieces.size(), 1u);
+  EXPECT_EQ(read_trial(text, with_layers(way_out)).pieces.size(), 1u);
   EXPECT_EQ(dxf::read_dxf_layers("no dxf").error().code, "dxf.not_dxf");
 }
 
@@ -175,13 +175,15 @@ TEST(DxfLayers, MayHelpWhereOutlinesAreWrongAndLinesStandOnSeveral) {
 }
 
 TEST(DxfLayers, ThatTheFileHasNotAreRefusedWithThoseThatItHas) {
-  const Error error = dxf::read_dxf(drawn({}), told({{"41", DxfRole::kCut}})).error();
+  const Error error = dxf::read_dxf(drawn({}), with_layers({{"41", DxfRole::kCut}})).error();
   EXPECT_EQ(error.code, "dxf.unknown_layer");
   EXPECT_NE(error.message.find("\"14\""), std::string::npos) << error.message;
   const Error none =
-      dxf::read_dxf(entities(rectangle({0, 0}, 300, 400, "A")), told({{"A", DxfRole::kNotch}})).error();
+      dxf::read_dxf(entities(rectangle({0, 0}, 300, 400, "A")), with_layers({{"A", DxfRole::kNotch}}))
+          .error();
   EXPECT_EQ(none.code, "dxf.no_outline");
-  EXPECT_NE(none.message.find("Layers are read as told: A as notch."), std::string::npos) << none.message;
+  EXPECT_NE(none.message.find("Layers are read as with_layers: A as notch."), std::string::npos)
+      << none.message;
 }
 
 TEST(DxfLayers, RolesHaveOneWordEach) {
