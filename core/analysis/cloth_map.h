@@ -61,8 +61,8 @@ struct MapScale {
   MapKind kind = MapKind::kWarp;
   double low = 0, high = 1;
 
-  /// Where among the colours a value lies: 0 in the middle of the first, kBands − 1 in that of the last, and no
-  /// farther.
+  /// Where among the colours a value lies: 0 in the middle of the first, kBands − 1 in that of the last, and
+  /// no farther.
   double place(double value) const;
   /// Where the bands begin and the last ends, in the order of the colours.
   std::array<double, kBands + 1> bounds() const;

@@ -74,15 +74,15 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
       ->type_name("WxH")
       ->check([&options](const std::string& text) { return read_size(text, options.drape); });
   verb->footer(
-      std::string(
-          "Leaves report.json, report.html (to look at), final.obj, final.glb, final.hung, maps.json, drape.film "
-          "(toile movie), manifest.json (toile verify) and front, back, side and three-quarter.png.\n"
-          "Ctrl-C ends the drape and keeps what there is; a second one ends at once.\n\n"
-          "Examples:\n"
-          "  toile drape samples/skirt/project.json --out out/skirt\n"
-          "  toile drape project.json --out out --json --no-stills\n"
-          "  toile drape edited.json --out out/edited --from out/skirt\n"
-          "  toile drape project.json --out out --trace out/frames.trace --trace-every 4\n\n") +
+      std::string("Leaves report.json, report.html (to look at), final.obj, final.glb, final.hung, "
+                  "maps.json, drape.film "
+                  "(toile movie), manifest.json (toile verify) and front, back, side and three-quarter.png.\n"
+                  "Ctrl-C ends the drape and keeps what there is; a second one ends at once.\n\n"
+                  "Examples:\n"
+                  "  toile drape samples/skirt/project.json --out out/skirt\n"
+                  "  toile drape project.json --out out --json --no-stills\n"
+                  "  toile drape edited.json --out out/edited --from out/skirt\n"
+                  "  toile drape project.json --out out --trace out/frames.trace --trace-every 4\n\n") +
       kExitCodes);
   return verb;
 }

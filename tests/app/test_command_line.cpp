@@ -284,8 +284,9 @@ class Draped : public testing::Test {
 TEST_F(Draped, SettlesAndLeavesAllItsFiles) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "") << "a bar in a pipe?";
-  for (const char* name : {"report.json", "final.obj", "final.glb", "front.png", "back.png", "side.png",
-                           "three-quarter.png", "report.html", "rest.obj", "body.obj", "sewn.json", "maps.json"}) {
+  for (const char* name :
+       {"report.json", "final.obj", "final.glb", "front.png", "back.png", "side.png", "three-quarter.png",
+        "report.html", "rest.obj", "body.obj", "sewn.json", "maps.json"}) {
     EXPECT_GT(text_of(folder / "out/deep" / name).size(), 1u) << name;
   }
   EXPECT_EQ(text_of(folder / "frames.trace").substr(0, 8), "TOILETRC");
