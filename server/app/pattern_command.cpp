@@ -16,23 +16,11 @@
 #include "server/app/console.h"
 #include "server/app/layer_option.h"
 #include "server/app/mesh_reader.h"
+#include "server/app/pattern_bytes.h"
 #include "server/documents/pattern_file.h"
 
 namespace toile::app {
 namespace {
-
-Result<std::string> bytes_of(const std::string& path) {
-  constexpr std::uintmax_t kMost = std::uintmax_t{64} << 20;
-  std::error_code failure;
-  const std::filesystem::file_status status = std::filesystem::status(path, failure);
-  if (!std::filesystem::exists(status)) return Error{"pattern.file", "there is no such file", path};
-  std::ifstream in(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(status) || !in)
-    return Error{"pattern.file", "this is no file that can be read", path};
-  if (std::filesystem::file_size(path, failure) > kMost || failure)
-    return Error{"pattern.too_large", "a pattern file has at most 64 MiB", path, ErrorKind::kTooLarge};
-  return std::string{std::istreambuf_iterator<char>(in), {}};
-}
 
 Result<dxf::DxfSettings> settings_of(const PatternImportOptions& options) {
   dxf::DxfSettings settings;
@@ -151,7 +139,7 @@ documents::PatternFormat pattern_format_of(const std::string& file) {
 }  // namespace
 
 ExitCode pattern_import_command(const PatternImportOptions& options) {
-  const Result<std::string> text = bytes_of(options.file);
+  const Result<std::string> text = pattern_bytes(options.file);
   if (!text) return fail(text.error(), options.json);
   if (create::is_specification(*text)) return import_specification(*text, options);
   const Result<dxf::DxfSettings> settings = settings_of(options);
@@ -170,7 +158,7 @@ ExitCode pattern_import_command(const PatternImportOptions& options) {
 }
 
 ExitCode pattern_layers_command(const PatternLayersOptions& options) {
-  const Result<std::string> text = bytes_of(options.file);
+  const Result<std::string> text = pattern_bytes(options.file);
   if (!text) return fail(text.error(), options.json);
   if (create::is_specification(*text)) return fail(no_layers(options.file), options.json);
   dxf::DxfSettings settings;

@@ -19,27 +19,13 @@
 #include "server/app/console.h"
 #include "server/app/layer_option.h"
 #include "server/app/mesh_reader.h"
+#include "server/app/pattern_bytes.h"
 #include "server/documents/arrangement.h"
 
 namespace toile::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The file's bytes, of at most 64 MiB.
-Result<std::string> bytes_of(const fs::path& path) {
-  constexpr std::uintmax_t kMost = std::uintmax_t{64} << 20;
-  std::error_code failure;
-  if (!fs::is_regular_file(path, failure))
-    return Error{"pattern.file", "there is no such file", path.string()};
-  if (fs::file_size(path, failure) > kMost || failure)
-    return Error{"pattern.too_large", "a pattern file has at most 64 MiB", path.string(),
-                 ErrorKind::kTooLarge};
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in) return Error{"pattern.file", "this is no file that can be read", path.string()};
-  return bytes;
-}
 
 std::string side_text(const std::vector<project::ProjectSeamEdge>& side) {
   std::string text;
@@ -79,7 +65,7 @@ void print_text(const create::NewProject& made, const ProjectNewOptions& options
 }
 
 Result<create::NewProject> make(const ProjectNewOptions& options) {
-  const std::string text = TRY(bytes_of(options.pattern));
+  const std::string text = TRY(pattern_bytes(options.pattern));
   const mesh_import::RepairedMesh read = TRY(own_mesh_importer().file(options.body, {}));
   create::NewProjectSettings settings;
   settings.dxf.layers = TRY(read_layers(options.layers));
