@@ -14,7 +14,7 @@ namespace {
 
 using namespace toile;
 
-constexpr double kHeight = 0.3, kLow = 0.08, kHigh = 0.22, kGravity = 98.1;  // m, m, m, m/s²
+constexpr double kHeight = 0.3, kLow = 0.08, kHigh = 0.22, kHeavy = 98.1;  // m, m, m, m/s²
 
 struct Hung {
   test::Strip strip;
@@ -42,7 +42,7 @@ Hung hang(double k, double edge, double rate) {
   }
   solver::ClothSolver solver(strip.model, std::move(x), {}, 1 / rate);
   solver.set_holds(std::move(held));
-  return {std::move(strip), std::move(solver), fabric.areal_mass * kGravity, k * (1 - 0.3 * 0.3)};
+  return {std::move(strip), std::move(solver), fabric.areal_mass * kHeavy, k * (1 - 0.3 * 0.3)};
 }
 
 /// Mean strain between two heights over what the load there asks for: slope of the displacement, less the
@@ -79,7 +79,7 @@ int main(int count, char** words) {
     for (const double k : {100.0, 500.0, 2000.0, 5000.0}) {
       Hung hung = hang(k, edge, rate);
       solver::StepForces forces;
-      forces.gravity = kGravity;
+      forces.gravity = kHeavy;
       forces.damping = damping;
       double right_from = 0;
       const int steps = static_cast<int>(std::lround(seconds * rate));
