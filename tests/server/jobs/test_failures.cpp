@@ -136,8 +136,8 @@ TEST_F(JobFailures, TheStateThatNamesTheResultsIsWrittenAfterAllOfThem) {
   ASSERT_TRUE(service->start().ok());
   const std::string id = submit(cloth_over_block(200));
   ASSERT_TRUE(publisher.wait_for_end(id));
-  EXPECT_EQ(order, "srrrrrrrrrsrrrrrS")
-      << "a claim, models, film, manifest and report, the drape, pictures, the end: one write each";
+  EXPECT_EQ(order, "srrrrrrrrrrsrrrrrS")
+      << "a claim, models, maps, film, manifest and report, the drape, pictures, the end: one write each";
 }
 
 TEST_F(JobFailures, AChangeThatTheStoreRefusesHasNotHappened) {
