@@ -43,7 +43,7 @@ vi.mock('../../src/tools/table', async (original) => {
   return { ...table, patternTools, toolOf: (id: string) => patternTools.find((tool) => tool.id === id)! };
 });
 
-const side = seamOf('side', ['a', 'e1'], ['b', 'e3']);
+const side = seamOf('side', ['a', 'e1'], ['b', 'e3'], { length_a_mm: 100, length_b_mm: 100 });
 const button = (name: string | RegExp): HTMLElement => screen.getByRole('button', { name });
 const note = (): string | undefined => document.querySelector('.pattern-note')?.textContent ?? undefined;
 
