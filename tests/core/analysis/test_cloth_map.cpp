@@ -91,7 +91,9 @@ TEST(ClothMap, ATubeIsCurvedAroundAndStraightAlong) {
     const Vec3 around = cross(Vec3{0, 1, 0}, out);
     EXPECT_NEAR(curvature[v].along(around), 1 / 0.081, 0.02 / 0.081);
     EXPECT_NEAR(curvature[v].along({0, 1, 0}), 0, 0.1);
-    EXPECT_NEAR(curvature[v].along(out), 0, 0.02 / 0.081);
+    // The mean over two edges of 6 degrees each tilts what is around by about five: sin² of that, and no
+    // more.
+    EXPECT_NEAR(curvature[v].along(out), 0, 0.01 / 0.081);
   }
 }
 

@@ -182,8 +182,7 @@ TEST(DxfLayers, ThatTheFileHasNotAreRefusedWithThoseThatItHas) {
       dxf::read_dxf(entities(rectangle({0, 0}, 300, 400, "A")), with_layers({{"A", DxfRole::kNotch}}))
           .error();
   EXPECT_EQ(none.code, "dxf.no_outline");
-  EXPECT_NE(none.message.find("Layers are read as told: A as notch."), std::string::npos)
-      << none.message;
+  EXPECT_NE(none.message.find("Layers are read as told: A as notch."), std::string::npos) << none.message;
 }
 
 TEST(DxfLayers, RolesHaveOneWordEach) {
