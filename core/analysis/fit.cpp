@@ -103,7 +103,7 @@ void take_levels(const geometry::TriangleMesh& mesh, measure::BodyFigure& figure
 class Tailor {
  public:
   Tailor(const drape::DrapeInput& input, const drape::DrapeResult& result, const dressing::Person& person)
-      : input_(input), result_(result), person_(person) {
+      : input_(input), result_(result), person_(person), cutter_(person.body->mesh) {
     for (const Vec3& p : result.positions) box_.add(p);
   }
 
@@ -122,7 +122,7 @@ class Tailor {
 
  private:
   std::optional<FitLine> line_at(const Place& place, double shifted) const {
-    const auto loop = measure::body_line(person_.body->mesh, person_.figure, place.name, place.up + shifted);
+    const auto loop = measure::body_line(cutter_, person_.figure, place.name, place.up + shifted);
     if (!loop || (place.is_limb() && holds_middle(*loop, person_.figure.middle))) return std::nullopt;
     const Vec3 inside = middle_of(*loop), normal = normal_of(*loop);
     if (!meets_cloth(inside, normal)) return std::nullopt;
@@ -166,6 +166,7 @@ class Tailor {
   const drape::DrapeInput& input_;
   const drape::DrapeResult& result_;
   const dressing::Person& person_;
+  measure::PlaneCutter cutter_;
   Aabb3 box_;
 };
 

@@ -60,7 +60,7 @@ double BodyStand::height_of_ring(double girth) const {
   constexpr double kStep = 0.005, kTight = 1.03;
   double loosest = figure_.waist, widest = 0;
   for (double y = figure_.waist; y > figure_.hip; y -= kStep) {
-    const double g = measure::trunk_girth(mesh_, figure_, y);
+    const double g = measure::trunk_girth(cutter_, figure_, y);
     if (g * kTight >= girth) return y;
     if (g > widest) {
       widest = g;
@@ -71,7 +71,7 @@ double BodyStand::height_of_ring(double girth) const {
 }
 
 Vec2 BodyStand::middle_at(double height) const {
-  const measure::BodyCut cut = measure::middle_cut(mesh_, height, figure_.middle);
+  const measure::BodyCut cut = measure::middle_cut(cutter_, height, figure_.middle);
   return {figure_.middle, cut.points.empty() ? figure_.armpit[0].z : cut.box.middle().z};
 }
 

@@ -7,6 +7,7 @@
 #include "core/arrange/garment_graph.h"
 #include "core/body/body.h"
 #include "core/body/measure/landmarks.h"
+#include "core/body/measure/mesh_cut.h"
 
 namespace toile::arrange {
 
@@ -17,7 +18,7 @@ measure::BodyFigure alike_on_both_sides(measure::BodyFigure figure);
 class BodyStand {
  public:
   BodyStand(const geometry::TriangleMesh& mesh, const measure::BodyFigure& figure)
-      : mesh_(mesh), figure_(alike_on_both_sides(figure)) {}
+      : mesh_(mesh), cutter_(mesh), figure_(alike_on_both_sides(figure)) {}
 
   const geometry::TriangleMesh& mesh() const { return mesh_; }
   const measure::BodyFigure& figure() const { return figure_; }
@@ -44,6 +45,7 @@ class BodyStand {
 
  private:
   const geometry::TriangleMesh& mesh_;
+  measure::PlaneCutter cutter_;
   measure::BodyFigure figure_;
 };
 

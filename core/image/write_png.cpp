@@ -1,6 +1,7 @@
 #include "core/image/write_png.h"
 
 #include <png.h>
+#include <zlib.h>
 
 #include <csetjmp>
 #include <cstddef>
@@ -11,6 +12,7 @@ namespace {
 struct Pixels {
   int width, height, channels;
   const std::uint8_t* data;
+  PngMatches matches;
 };
 
 void append(png_structp png, png_bytep data, png_size_t size) {
@@ -30,6 +32,7 @@ bool encode(png_structp png, png_infop info, const Pixels& from, std::string& by
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   // Named, so that libpng's default may change and the bytes do not.
   png_set_compression_level(png, 6);
+  if (from.matches == PngMatches::kRuns) png_set_compression_strategy(png, Z_RLE);
   png_write_info(png, info);
   for (int y = 0; y < from.height; ++y) {
     png_write_row(png, from.data + static_cast<std::size_t>(y) * from.width * from.channels);
@@ -40,7 +43,8 @@ bool encode(png_structp png, png_infop info, const Pixels& from, std::string& by
 
 }  // namespace
 
-Result<std::string> encode_png(int width, int height, int channels, std::span<const std::uint8_t> pixels) {
+Result<std::string> encode_png(int width, int height, int channels, std::span<const std::uint8_t> pixels,
+                               PngMatches matches) {
   const bool fits = width > 0 && height > 0 && (channels == 3 || channels == 4) &&
                     pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                                          static_cast<std::size_t>(channels);
@@ -48,7 +52,8 @@ Result<std::string> encode_png(int width, int height, int channels, std::span<co
   std::string bytes;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
-  const bool done = info != nullptr && encode(png, info, {width, height, channels, pixels.data()}, bytes);
+  const bool done =
+      info != nullptr && encode(png, info, {width, height, channels, pixels.data(), matches}, bytes);
   png_destroy_write_struct(&png, &info);
   if (!done) return Error{"image.bad_size", "the image could not be encoded as PNG", ""};
   return bytes;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/body/measure/mesh_cut.h"
 #include "core/geometry/polygon2.h"
 
 namespace toile::preflight {
@@ -18,6 +17,7 @@ double volume(Vec3 a, Vec3 b, Vec3 c, Vec3 p) { return dot(cross(b - a, c - a), 
 BodyProbe::BodyProbe(const body::Body& body)
     : body_(&body),
       crossing_(collision::make_crossing_body(body.mesh.vertices, body.mesh.triangles)),
+      cutter_(body.mesh),
       box_(bounding_box(body.mesh.vertices)) {}
 
 /// Calls visit(triangle) for every triangle that the segment passes through, some of them more than once,
@@ -94,8 +94,8 @@ PlaneFrame make_plane_frame(Vec3 origin, Vec3 normal) {
   return {origin, u, cross(n, u), n};
 }
 
-std::vector<SlicePart> slice_parts(const geometry::TriangleMesh& mesh, const PlaneFrame& plane) {
-  const measure::MeshCut cut = measure::plane_cut(mesh, plane.origin, plane.normal);
+std::vector<SlicePart> slice_parts(const measure::PlaneCutter& cutter, const PlaneFrame& plane) {
+  const measure::MeshCut cut = cutter.cut(plane.origin, plane.normal);
   std::vector<SlicePart> parts(static_cast<std::size_t>(cut.part_count));
   for (std::size_t i = 0; i < cut.points.size(); ++i)
     parts[cut.part[i]].points.push_back(plane.flat(cut.points[i]));

@@ -8,6 +8,7 @@
 
 #include "core/base/aabb.h"
 #include "core/body/body.h"
+#include "core/body/measure/mesh_cut.h"
 #include "core/collision/crossings.h"
 #include "core/geometry/bvh.h"
 
@@ -20,6 +21,7 @@ class BodyProbe {
 
   const body::Body& body() const { return *body_; }
   const collision::CrossingBody& crossing() const { return crossing_; }
+  const measure::PlaneCutter& cutter() const { return cutter_; }
   const Aabb3& box() const { return box_; }  ///< m, around the body
   double height() const { return box_.size().y; }
 
@@ -35,6 +37,7 @@ class BodyProbe {
 
   const body::Body* body_;
   collision::CrossingBody crossing_;
+  measure::PlaneCutter cutter_;
   Aabb3 box_;
 };
 
@@ -55,6 +58,6 @@ struct PlaneFrame {
 /// REQUIRES `normal` not null.
 PlaneFrame make_plane_frame(Vec3 origin, Vec3 normal);
 
-std::vector<SlicePart> slice_parts(const geometry::TriangleMesh& mesh, const PlaneFrame& plane);
+std::vector<SlicePart> slice_parts(const measure::PlaneCutter& cutter, const PlaneFrame& plane);
 
 }  // namespace toile::preflight

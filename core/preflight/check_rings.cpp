@@ -87,7 +87,7 @@ double girth_within(std::span<const BodyProbe> probes, const PlaneFrame& plane,
   double widest = 0;
   for (const BodyProbe& probe : probes) {
     std::vector<Vec2> points;
-    for (const SlicePart& part : slice_parts(probe.body().mesh, plane)) {
+    for (const SlicePart& part : slice_parts(probe.cutter(), plane)) {
       if (geometry::contains(outline, part.centre))
         points.insert(points.end(), part.points.begin(), part.points.end());
     }
@@ -161,7 +161,7 @@ std::optional<Enclosed> enclosed_by(const Ring& ring, std::span<const BodyProbe>
   if (!flat) return std::nullopt;
   const auto& [middle, plane, outline] = *flat;
   for (const BodyProbe& probe : probes) {
-    for (const SlicePart& part : slice_parts(probe.body().mesh, plane)) {
+    for (const SlicePart& part : slice_parts(probe.cutter(), plane)) {
       if (!geometry::contains(outline, part.centre)) continue;
       return Enclosed{plane.lifted(part.centre), probe.height(), probe.box().middle().x};
     }

@@ -24,8 +24,8 @@ Result<std::string> png_bytes(const Image& image) {
     return Error{"render.bad_image", "the opacity does not fit the picture", "", ErrorKind::kInternal};
   const int channels = opaque ? 3 : 4;
   const std::vector<std::uint8_t> mixed = opaque ? std::vector<std::uint8_t>{} : with_opacity(image);
-  Result<std::string> bytes =
-      image::encode_png(image.width, image.height, channels, opaque ? image.rgb : mixed);
+  Result<std::string> bytes = image::encode_png(image.width, image.height, channels,
+                                                opaque ? image.rgb : mixed, image::PngMatches::kRuns);
   if (!bytes) return Error{"render.bad_image", bytes.error().message, "", ErrorKind::kInternal};
   return bytes;
 }

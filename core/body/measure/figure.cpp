@@ -40,7 +40,7 @@ double depth_at(const BodyCut& cut, double middle, double within) {
 
 class FigureFinder {
  public:
-  explicit FigureFinder(const geometry::TriangleMesh& mesh) : mesh_(mesh) {}
+  explicit FigureFinder(const geometry::TriangleMesh& mesh) : mesh_(mesh), cutter_(mesh) {}
 
   Result<BodyFigure> find() {
     measure_box();
@@ -66,7 +66,7 @@ class FigureFinder {
   double height() const { return f_.height(); }
   double at(double share) const { return f_.floor + share * height(); }
   static double sign_of(int side) { return side == kWearersLeft ? 1 : -1; }
-  double girth_at_height(double y) const { return trunk_girth(mesh_, f_, y); }
+  double girth_at_height(double y) const { return trunk_girth(cutter_, f_, y); }
 
   void measure_box() {
     if (mesh_.vertices.empty()) return;
@@ -78,7 +78,7 @@ class FigureFinder {
 
   bool find_crotch() {
     for (double s = 0.36; s < 0.60; s += kScan) {
-      const BodyCut cut = middle_cut(mesh_, at(s), f_.middle);
+      const BodyCut cut = middle_cut(cutter_, at(s), f_.middle);
       if (depth_at(cut, f_.middle, 0.02 * height()) < kTrunkDepth * height()) continue;
       f_.crotch = at(s);
       return s > 0.361;  // one solid from below the crotch on has no legs
@@ -92,7 +92,7 @@ class FigureFinder {
     std::array<bool, 2> found{false, false};
     std::array<Vec3, 2> edge;
     for (double s = 0.62; s < 0.86 && !(found[0] && found[1]); s += kScan) {
-      const BodyCut cut = middle_cut(mesh_, at(s), f_.middle);
+      const BodyCut cut = middle_cut(cutter_, at(s), f_.middle);
       if (cut.points.empty()) continue;
       for (int side = 0; side < 2; ++side) {
         if (found[side]) continue;
@@ -146,7 +146,7 @@ class FigureFinder {
       const Vec3 p = root + along * s;
       const BodyCut* nearest = nullptr;
       double best = 0.06 * height();
-      const std::vector<BodyCut> cuts = cut_body(mesh_, p, along);
+      const std::vector<BodyCut> cuts = cut_body(cutter_, p, along);
       for (const BodyCut& cut : cuts) {
         if (const double d = length(cut.box.middle() - p); d < best) {
           best = d;
@@ -213,7 +213,7 @@ class FigureFinder {
   Vec3 leg_centre(int side, double y) const {
     Vec3 centre{f_.middle + sign_of(side) * 0.05 * height(), y, 0};
     double widest = 0;
-    for (const BodyCut& cut : cut_body(mesh_, {0, y, 0}, {0, 1, 0})) {
+    for (const BodyCut& cut : cut_body(cutter_, {0, y, 0}, {0, 1, 0})) {
       const Vec3 c = cut.box.middle();
       const double x = sign_of(side) * (c.x - f_.middle);
       const double girth = tape_around(cut, {0, 1, 0});
@@ -231,7 +231,7 @@ class FigureFinder {
     leg.knee = leg_centre(side, at(0.278));
     double narrowest = HUGE_VAL;
     for (double s = 0.035; s < 0.10; s += kScan) {
-      for (const BodyCut& cut : cut_body(mesh_, {0, at(s), 0}, {0, 1, 0})) {
+      for (const BodyCut& cut : cut_body(cutter_, {0, at(s), 0}, {0, 1, 0})) {
         const double x = sign_of(side) * (cut.box.middle().x - f_.middle);
         const double girth = tape_around(cut, {0, 1, 0});
         if (x <= 0 || x > 0.25 * height() || girth < 0.07 * height() || girth > narrowest) continue;
@@ -265,7 +265,7 @@ class FigureFinder {
     for (double x = from; x <= to; x += step) {
       std::optional<Vec3> best;
       const double at_x = f_.middle + sign_of(side) * x;
-      for (const BodyCut& cut : cut_body(mesh_, {at_x, 0, 0}, {1, 0, 0})) {
+      for (const BodyCut& cut : cut_body(cutter_, {at_x, 0, 0}, {1, 0, 0})) {
         for (const Vec3& p : cut.points) {
           if (p.y < f_.chin && p.y > at(0.5) && (!best || p.y > best->y)) best = p;
         }
@@ -306,7 +306,7 @@ class FigureFinder {
 
   void find_bust(int side) {
     Vec3& point = f_.bust_point[side];
-    const BodyCut chest = middle_cut(mesh_, f_.armpit[side].y - 0.02 * height(), f_.middle);
+    const BodyCut chest = middle_cut(cutter_, f_.armpit[side].y - 0.02 * height(), f_.middle);
     const double half_way = chest.points.empty() ? -HUGE_VAL : chest.box.middle().z;
     point = {f_.middle + sign_of(side) * 0.05 * height(), at(0.72), -HUGE_VAL};
     for (const Vec3& p : mesh_.vertices) {
@@ -339,7 +339,7 @@ class FigureFinder {
     std::vector<Vec3> line;
     for (double y = low - kWindow * step; y <= high + kWindow * step; y += step) {
       std::optional<Vec3> best;
-      for (const Vec3& p : middle_cut(mesh_, y, f_.middle).points) {
+      for (const Vec3& p : middle_cut(cutter_, y, f_.middle).points) {
         if (std::abs(p.x - f_.middle) < 0.012 * height() && (!best || facing * p.z > facing * best->z))
           best = p;
       }
@@ -358,6 +358,7 @@ class FigureFinder {
   }
 
   const geometry::TriangleMesh& mesh_;
+  PlaneCutter cutter_;
   BodyFigure f_;
 };
 
@@ -365,8 +366,8 @@ class FigureFinder {
 
 Result<BodyFigure> find_figure(const geometry::TriangleMesh& mesh) { return FigureFinder(mesh).find(); }
 
-double trunk_girth(const geometry::TriangleMesh& mesh, const BodyFigure& figure, double height) {
-  return tape_around(middle_cut(mesh, height, figure.middle), {0, 1, 0});
+double trunk_girth(const PlaneCutter& cutter, const BodyFigure& figure, double height) {
+  return tape_around(middle_cut(cutter, height, figure.middle), {0, 1, 0});
 }
 
 }  // namespace toile::measure

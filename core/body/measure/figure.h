@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/base/result.h"
+#include "core/body/measure/mesh_cut.h"
 #include "core/geometry/triangle_mesh.h"
 
 namespace toile::measure {
@@ -47,6 +48,6 @@ struct BodyFigure {
 Result<BodyFigure> find_figure(const geometry::TriangleMesh& mesh);
 
 /// Girth (m) of the trunk at a height, arms left out, as a tape takes it.
-double trunk_girth(const geometry::TriangleMesh& mesh, const BodyFigure& figure, double height);
+double trunk_girth(const PlaneCutter& cutter, const BodyFigure& figure, double height);
 
 }  // namespace toile::measure

@@ -13,7 +13,8 @@ namespace {
 /// Places of a figure by name, before they are put on the skin.
 class Places {
  public:
-  Places(const geometry::TriangleMesh& mesh, const BodyFigure& figure) : mesh_(mesh), f_(figure) {}
+  Places(const geometry::TriangleMesh& mesh, const BodyFigure& figure)
+      : mesh_(mesh), cutter_(mesh), f_(figure) {}
 
   std::vector<Landmark> all() {
     head_and_neck();
@@ -41,7 +42,7 @@ class Places {
   }
 
   double middle_depth(double y) const {
-    const BodyCut cut = middle_cut(mesh_, y, f_.middle);
+    const BodyCut cut = middle_cut(cutter_, y, f_.middle);
     return cut.points.empty() ? 0 : cut.box.middle().z;
   }
 
@@ -83,7 +84,7 @@ class Places {
 
   /// Front, back and sides of the trunk at a height; the sides only where no arms hang beside them.
   void around(const std::string& name, double y, bool sides) {
-    const BodyCut cut = middle_cut(mesh_, y, f_.middle);
+    const BodyCut cut = middle_cut(cutter_, y, f_.middle);
     if (cut.points.empty()) return;
     const auto farthest = [&](Vec3 way, double within) {
       Vec3 best = cut.box.middle();
@@ -108,6 +109,7 @@ class Places {
   }
 
   const geometry::TriangleMesh& mesh_;
+  PlaneCutter cutter_;
   const BodyFigure& f_;
   std::vector<Landmark> all_;
 };

@@ -52,10 +52,10 @@ std::optional<LinePlane> plane_of(const BodyFigure& f, std::string_view name) {
   return LinePlane{{f.middle, middle.y, middle.z}, normalized(Vec3{0, -slope.z, slope.y})};
 }
 
-std::vector<Vec3> points_on(const geometry::TriangleMesh& mesh, const BodyFigure& f, const LinePlane& plane) {
+std::vector<Vec3> points_on(const PlaneCutter& cutter, const BodyFigure& f, const LinePlane& plane) {
   std::vector<Vec3> points;
   double least = HUGE_VAL;
-  for (const BodyCut& cut : cut_body(mesh, plane.origin, plane.normal)) {
+  for (const BodyCut& cut : cut_body(cutter, plane.origin, plane.normal)) {
     if (plane.trunk) {
       if (cut.box.low.x > f.middle || cut.box.high.x < f.middle) continue;
       points.insert(points.end(), cut.points.begin(), cut.points.end());
@@ -114,12 +114,12 @@ const std::vector<std::string>& body_line_names() {
   return names;
 }
 
-Result<std::vector<Vec3>> body_line(const geometry::TriangleMesh& mesh, const BodyFigure& figure,
+Result<std::vector<Vec3>> body_line(const PlaneCutter& cutter, const BodyFigure& figure,
                                     std::string_view name, double up, double away) {
   std::optional<LinePlane> plane = plane_of(figure, name);
   if (!plane) return Error{"body.unknown_line", "there is no line of that name on a body", std::string(name)};
   plane->origin += plane->normal * up;
-  std::vector<Vec3> loop = thinned(taut_loop(points_on(mesh, figure, *plane), plane->normal));
+  std::vector<Vec3> loop = thinned(taut_loop(points_on(cutter, figure, *plane), plane->normal));
   if (loop.size() < 3) {
     return Error{"body.no_line", "the body has nothing there that a tape could go around", std::string(name)};
   }

@@ -20,7 +20,7 @@ const std::vector<std::string>& body_line_names();
 /// limbs), `away` (m) outside the skin, corners at least 8 mm apart. `up` (m) shifts the line's plane
 /// upwards, along limbs towards the trunk. Errors: body.unknown_line, body.no_line where the plane misses
 /// that part.
-Result<std::vector<Vec3>> body_line(const geometry::TriangleMesh& mesh, const BodyFigure& figure,
+Result<std::vector<Vec3>> body_line(const PlaneCutter& cutter, const BodyFigure& figure,
                                     std::string_view name, double up = 0, double away = 0);
 
 /// m, around a closed line.

@@ -35,7 +35,29 @@ class MeshCutter {
   double low_ = 0, high_ = 0, step_ = 1;
 };
 
-/// The cut by any plane, over the triangles named; all when none are.
+/// Cuts by planes of any direction. Triangles are kept in small groups of neighbours with the balls around
+/// them, so that a cut looks only at those the plane may meet. Keeps a reference to the mesh.
+class PlaneCutter {
+ public:
+  explicit PlaneCutter(const geometry::TriangleMesh& mesh);
+
+  const geometry::TriangleMesh& mesh() const { return mesh_; }
+  /// The same as plane_cut() over all triangles.
+  MeshCut cut(Vec3 origin, Vec3 normal) const;
+
+ private:
+  struct Group {
+    Vec3 centre;
+    double radius = 0;
+    size_t end = 0;  ///< in order_; a group begins where the one before ends
+  };
+
+  const geometry::TriangleMesh& mesh_;
+  std::vector<Index> order_;  ///< triangles, group after group
+  std::vector<Group> groups_;
+};
+
+/// The cut by any plane, over the triangles named; all when none are. For several cuts: PlaneCutter.
 MeshCut plane_cut(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal,
                   std::span<const Index> triangles = {});
 

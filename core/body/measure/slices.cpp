@@ -1,6 +1,5 @@
 #include "core/body/measure/slices.h"
 
-#include "core/body/measure/mesh_cut.h"
 #include "core/geometry/convex_hull.h"
 
 namespace toile::measure {
@@ -14,8 +13,8 @@ void grow(BodyCut& cut, Vec3 p) {
 
 }  // namespace
 
-std::vector<BodyCut> cut_body(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal) {
-  const MeshCut cut = plane_cut(mesh, origin, normal);
+std::vector<BodyCut> cut_body(const PlaneCutter& cutter, Vec3 origin, Vec3 normal) {
+  const MeshCut cut = cutter.cut(origin, normal);
   std::vector<BodyCut> parts(static_cast<std::size_t>(cut.part_count));
   for (std::size_t i = 0; i < cut.points.size(); ++i) grow(parts[cut.part[i]], cut.points[i]);
   return parts;
@@ -31,9 +30,9 @@ double tape_around(const BodyCut& cut, Vec3 normal) {
   return geometry::hull_perimeter(std::move(flat));
 }
 
-BodyCut middle_cut(const geometry::TriangleMesh& mesh, double height, double middle) {
+BodyCut middle_cut(const PlaneCutter& cutter, double height, double middle) {
   BodyCut out;
-  for (const BodyCut& cut : cut_body(mesh, {0, height, 0}, {0, 1, 0})) {
+  for (const BodyCut& cut : cut_body(cutter, {0, height, 0}, {0, 1, 0})) {
     if (cut.box.low.x > middle || cut.box.high.x < middle) continue;
     for (const Vec3& p : cut.points) grow(out, p);
   }

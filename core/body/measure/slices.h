@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/aabb.h"
-#include "core/geometry/triangle_mesh.h"
+#include "core/body/measure/mesh_cut.h"
 
 namespace toile::measure {
 
@@ -16,13 +16,13 @@ struct BodyCut {
 };
 
 /// The parts in which the plane through `origin` with `normal` cuts the mesh, in plane_cut()'s order.
-std::vector<BodyCut> cut_body(const geometry::TriangleMesh& mesh, Vec3 origin, Vec3 normal);
+std::vector<BodyCut> cut_body(const PlaneCutter& cutter, Vec3 origin, Vec3 normal);
 
 /// The tape around points of a plane, over hollows, m. `normal` as it was cut.
 double tape_around(const BodyCut& cut, Vec3 normal);
 
 /// The level part that holds the upright line x = `middle`, with those that overlap it; no points when none
 /// does.
-BodyCut middle_cut(const geometry::TriangleMesh& mesh, double height, double middle);
+BodyCut middle_cut(const PlaneCutter& cutter, double height, double middle);
 
 }  // namespace toile::measure

@@ -224,7 +224,7 @@ Result<std::vector<Vec3>> BodyPlaces::line_goal(const project::ProjectGoal& give
   }
   const Index body = TRY(standing(given.body, where));
   Result<std::vector<Vec3>> line =
-      measure::body_line(bodies_[body].mesh, *figure_of(body), given.line,
+      measure::body_line(measure::PlaneCutter(bodies_[body].mesh), *figure_of(body), given.line,
                          metres_from_mm(given.up_mm.value_or(0)), bodies_[body].skin_offset + kClear);
   if (!line) return json::error_at(json::pointer_to(where, "line"), line.error());
   for (Vec3& p : *line) p = snapped(p);

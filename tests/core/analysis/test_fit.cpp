@@ -125,7 +125,7 @@ class FitTable : public testing::Test {
     body.mesh = made->mesh;
     figure = *measure::find_figure(body.mesh);
     figure.waist = made->measures.points.waist_height;
-    waist = measure::length_of_loop(*measure::body_line(body.mesh, figure, "waist"));
+    waist = measure::length_of_loop(*measure::body_line(measure::PlaneCutter(body.mesh), figure, "waist"));
     // Wide enough in space to be clear of the body; flat as each test asks.
     tubes.input.bodies = tubes.result.bodies = {body};
   }

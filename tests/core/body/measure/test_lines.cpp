@@ -21,7 +21,8 @@ const Person& person() {
 }
 
 std::vector<Vec3> line(const std::string& name, double up = 0, double away = 0) {
-  Result<std::vector<Vec3>> found = measure::body_line(person().mesh, person().figure, name, up, away);
+  Result<std::vector<Vec3>> found =
+      measure::body_line(measure::PlaneCutter(person().mesh), person().figure, name, up, away);
   EXPECT_TRUE(found.ok()) << name << ": " << to_string(found.error());
   return found ? *found : std::vector<Vec3>{{}, {}, {}};
 }
@@ -37,8 +38,8 @@ TEST(BodyLines, OfTheTrunkAreAsLongAsTheTapeSays) {
        {std::pair{"waist", person().figure.waist}, {"hip", person().figure.hip}}) {
     const std::vector<Vec3> loop = line(name);
     for (const Vec3& p : loop) EXPECT_NEAR(p.y, height, 1e-9) << name;
-    EXPECT_NEAR(measure::length_of_loop(loop), measure::trunk_girth(person().mesh, person().figure, height),
-                2e-3)
+    EXPECT_NEAR(measure::length_of_loop(loop),
+                measure::trunk_girth(measure::PlaneCutter(person().mesh), person().figure, height), 2e-3)
         << name;
   }
 }
@@ -94,8 +95,10 @@ TEST(BodyLines, RunCounterClockwiseSeenFromAbove) {
 }
 
 TEST(BodyLines, RefuseNamesAndPlacesThatABodyHasNot) {
-  EXPECT_EQ(measure::body_line(person().mesh, person().figure, "wiast").error().code, "body.unknown_line");
-  EXPECT_EQ(measure::body_line(person().mesh, person().figure, "waist", 3).error().code, "body.no_line");
+  EXPECT_EQ(measure::body_line(measure::PlaneCutter(person().mesh), person().figure, "wiast").error().code,
+            "body.unknown_line");
+  EXPECT_EQ(measure::body_line(measure::PlaneCutter(person().mesh), person().figure, "waist", 3).error().code,
+            "body.no_line");
 }
 
 }  // namespace

@@ -153,8 +153,10 @@ TEST(ProjectBodyPlaces, AttachmentsLeadToLinesLandmarksAndPlaces) {
   ASSERT_GT(line.size(), 8u);
   for (const Vec3& p : line) EXPECT_NEAR(p.y, figure.waist - 0.02, 1e-7);
   // 1.5 mm of skin offset, and half a millimetre beyond it.
-  EXPECT_NEAR(measure::length_of_loop(line),
-              measure::trunk_girth(ann(), figure, figure.waist - 0.02) + 2 * 3.14159265 * 2e-3, 2e-3);
+  EXPECT_NEAR(
+      measure::length_of_loop(line),
+      measure::trunk_girth(measure::PlaneCutter(ann()), figure, figure.waist - 0.02) + 2 * 3.14159265 * 2e-3,
+      2e-3);
   ASSERT_EQ(input.attachments[1].goal.size(), 1u);
   const auto marks = measure::find_landmarks(ann(), figure);
   const Vec3 told = measure::landmark_named(marks, "hip_front")->place + Vec3{0.08, 0, 0};
