@@ -151,7 +151,7 @@ StepReport ClothSolver::step(const StepForces& forces) {
   membrane_.solve(points_, learns);
   bending_.solve(points_);
   lanes::collect(points_, x_);
-  solve_features(features_, forces.features, inverse_mass_, h_, x_);
+  solve_features(features_, forces.features, inverse_mass_, h_, before_, x_);
   constraints::solve_height_holds(held_, x_);
   if (forces.stitch_length > 0) {  // after the holds: a thread wins over a hand
     constraints::shorten_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);

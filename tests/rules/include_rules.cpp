@@ -116,7 +116,7 @@ const std::vector<Door>& doors() {
       {"CLI/", "CLI11", {"server/app/"}, true},
       {"boost/", "Boost", {"server/http/", "server/ws/"}, true},
       {"sqlite3", "SQLite", {"server/store/sqlite/"}, false},
-      {"zlib", "zlib", {"server/http/compress."}, false},
+      {"zlib", "zlib", {"core/image/write_png.", "server/http/compress."}, false},
       {"spdlog/", "spdlog", {"server/log/"}, false},
       {"sodium", "libsodium", {"server/accounts/"}, false},
   };

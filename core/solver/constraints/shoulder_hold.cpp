@@ -31,14 +31,15 @@ bool is_needed(const ShoulderHold& hold, std::span<const Vec3> x) {
 }
 
 void solve_shoulder_holds(std::span<const ShoulderHold> holds, std::span<const double> w, double h,
-                          std::span<Vec3> x) {
+                          std::span<const Vec3> before, std::span<Vec3> x) {
   for (const ShoulderHold& hold : holds) {
     if (!is_needed(hold, x)) continue;
     for (const ShoulderHold::Held& held : hold.held) {
       Vec3& p = x[held.v];
-      const double out = std::abs(p.x - hold.middle) - held.aside;
+      const double aside = std::abs(p.x - hold.middle), out = aside - held.aside;
       if (out <= 0 || w[held.v] == 0 || !holds_at(hold, p)) continue;
-      p.x += std::copysign(std::min(out, kHandSpeed * h), hold.middle - p.x);
+      const double slid = std::max(0.0, aside - std::abs(before[held.v].x - hold.middle));
+      p.x += std::copysign(std::min(out, slid + kHandSpeed * h), hold.middle - p.x);
     }
   }
 }

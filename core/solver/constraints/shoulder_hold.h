@@ -10,8 +10,9 @@
 
 namespace toile::solver::constraints {
 
-/// How fast cloth is brought back, m/s; contact decides whether it gets there.
-inline constexpr double kHandSpeed = 3;
+/// How fast cloth is brought back, m/s; contact decides whether it gets there. Slow: what a hand moves keeps
+/// its speed, and one that comes and goes with `is_needed` would stir the garment for ever.
+inline constexpr double kHandSpeed = 0.05;
 
 /// One shoulder. Lengths in m.
 struct ShoulderHold {
@@ -33,9 +34,10 @@ bool holds_at(const ShoulderHold& hold, Vec3 p);
 /// Whether it holds: no cloth is at the neck.
 bool is_needed(const ShoulderHold& hold, std::span<const Vec3> x);
 
-/// One pass. `w` is 1/kg, 0 for what is pinned; `h` the step, s.
+/// One pass: takes back what slid out since `before`, where the step began, however hard it is pulled, and
+/// brings back by no more than `kHandSpeed`. `w` is 1/kg, 0 for what is pinned; `h` the step, s.
 void solve_shoulder_holds(std::span<const ShoulderHold> holds, std::span<const double> w, double h,
-                          std::span<Vec3> x);
+                          std::span<const Vec3> before, std::span<Vec3> x);
 
 /// Whether anything leans on it, so that it would slide without.
 bool bears(const ShoulderHold& hold, std::span<const Vec3> x);
