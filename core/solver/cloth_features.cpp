@@ -10,12 +10,14 @@ void push_features(const ClothFeatures& features, const FeatureProgress& progres
 }
 
 void solve_features(const ClothFeatures& features, const FeatureProgress& progress, std::span<const double> w,
-                    double h, std::span<const Vec3> before, std::span<Vec3> x) {
+                    double h, std::span<const Vec3> before, std::span<Vec3> x,
+                    std::vector<constraints::BroughtBack>& brought) {
+  brought.clear();
   constraints::solve_folds(features.folds, progress.formed, w, h, x);
   constraints::solve_elastics(features.elastics, progress.formed, w, h, x);
   constraints::solve_ties(features.ties, progress.open, w, h, x);
   constraints::solve_tethers(features.tethers, progress.open, w, h, x);
-  constraints::solve_shoulder_holds(features.shoulders, w, h, before, x);
+  constraints::solve_shoulder_holds(features.shoulders, w, h, before, x, brought);
   constraints::solve_leashes(features.leashes, w, h, x);
 }
 

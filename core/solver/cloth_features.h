@@ -40,8 +40,10 @@ void push_features(const ClothFeatures& features, const FeatureProgress& progres
                    std::span<const Tri> triangles, std::span<const double> w, double h,
                    std::span<const Vec3> x, std::vector<Vec3>& force, std::span<Vec3> v);
 
-/// What moves positions: one pass, before stitches, contacts and bounds. `before`: where the step began.
+/// What moves positions: one pass, before stitches, contacts and bounds. `before`: where the step began;
+/// `brought` is what hands on shoulders moved, for let_lie().
 void solve_features(const ClothFeatures& features, const FeatureProgress& progress, std::span<const double> w,
-                    double h, std::span<const Vec3> before, std::span<Vec3> x);
+                    double h, std::span<const Vec3> before, std::span<Vec3> x,
+                    std::vector<constraints::BroughtBack>& brought);
 
 }  // namespace toile::solver

@@ -151,7 +151,7 @@ StepReport ClothSolver::step(const StepForces& forces) {
   membrane_.solve(points_, learns);
   bending_.solve(points_);
   lanes::collect(points_, x_);
-  solve_features(features_, forces.features, inverse_mass_, h_, before_, x_);
+  solve_features(features_, forces.features, inverse_mass_, h_, before_, x_, brought_);
   constraints::solve_height_holds(held_, x_);
   if (forces.stitch_length > 0) {  // after the holds: a thread wins over a hand
     constraints::shorten_stitches(stitches_, forces.stitch_length, inverse_mass_, h_, x_);
@@ -297,6 +297,7 @@ void ClothSolver::finish(const StepForces& forces) {
   if (bouncy_)
     impacts = constraints::find_impacts(contacts_.contacts, forces.restitution, proposal_, velocity_);
   for (std::size_t i = 0; i < x_.size(); ++i) velocity_[i] = (x_[i] - before_[i] - depenetration_[i]) * per_h;
+  constraints::let_lie(brought_, h_, velocity_);
   constraints::give_back(impacts, inverse_mass_, velocity_);
 }
 

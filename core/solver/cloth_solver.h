@@ -117,6 +117,7 @@ class ClothSolver {
   std::vector<double> inverse_mass_;
 
   std::vector<Vec3> x_, before_, velocity_, depenetration_, proposal_;
+  std::vector<constraints::BroughtBack> brought_;
   std::vector<lanes::LanePoint> points_;  ///< x_, while lanes work on it
   std::vector<double> speed_;             ///< m/s, of vertices to be measured
   std::vector<Index> far_;                ///< vertices that may have met a bound in this step

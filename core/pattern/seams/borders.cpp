@@ -17,13 +17,29 @@ void join_corners(const SeamModel& m, const SeamGluing& g, DisjointSets& corners
   }
 }
 
+/// The corners where one comes to a run and leaves it, with the cloth at the left.
+Index start_of(const SeamModel& m, const SeamGluing& g, Index run) {
+  return g.turned[m.runs[run].panel] ? m.runs[run].next : run;
+}
+Index end_of(const SeamModel& m, const SeamGluing& g, Index run) {
+  return g.turned[m.runs[run].panel] ? run : m.runs[run].next;
+}
+
 }  // namespace
+
+bool is_whole_border(const SeamModel& m, SeamGluing g, const std::vector<Index>& runs) {
+  for (const Index r : runs) g.undo(r);
+  DisjointSets corners;
+  join_corners(m, g, corners);
+  return !runs.empty() &&
+         corners.root(end_of(m, g, runs.back())) == corners.root(start_of(m, g, runs.front()));
+}
 
 std::vector<std::vector<Index>> free_borders(const SeamModel& m, const SeamGluing& g) {
   DisjointSets corners;
   join_corners(m, g, corners);
-  const auto start = [&](Index i) { return corners.root(g.turned[m.runs[i].panel] ? m.runs[i].next : i); };
-  const auto end = [&](Index i) { return corners.root(g.turned[m.runs[i].panel] ? i : m.runs[i].next); };
+  const auto start = [&](Index i) { return corners.root(start_of(m, g, i)); };
+  const auto end = [&](Index i) { return corners.root(end_of(m, g, i)); };
   const Index count = static_cast<Index>(m.runs.size());
   std::vector<Index> starts_at(m.runs.size(), kNone);
   for (Index i = 0; i < count; ++i)

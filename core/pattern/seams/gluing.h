@@ -118,4 +118,8 @@ double gluing_merit(const SeamModel& model, const SeamGluing& gluing, const Glui
 /// right side).
 std::vector<std::vector<Index>> free_borders(const SeamModel& model, const SeamGluing& gluing);
 
+/// Whether the runs, in the order in which one walks along them with the cloth at the left, would be a whole
+/// border if they were free: what else is sewn brings the end of the last to the start of the first.
+bool is_whole_border(const SeamModel& model, SeamGluing gluing, const std::vector<Index>& runs);
+
 }  // namespace toile::seams

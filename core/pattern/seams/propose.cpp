@@ -14,6 +14,7 @@
 #include "core/pattern/seams/confidence.h"
 #include "core/pattern/seams/lines.h"
 #include "core/pattern/seams/search.h"
+#include "core/pattern/seams/sleeve_head.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -201,6 +202,13 @@ std::vector<SeamProposal> parted(const pattern::Pattern& pattern, SeamProposal w
   return parts;
 }
 
+/// Whether both sides are whole borders, so that the one could be turned against the other.
+bool goes_around(const FoundSeams& found, const FoundSeam& seam) {
+  const std::vector<Index> other(seam.b.rbegin(), seam.b.rend());
+  return is_whole_border(found.model, found.gluing, seam.a) &&
+         is_whole_border(found.model, found.gluing, other);
+}
+
 bool surer(const SeamProposal& x, const SeamProposal& y) { return x.confidence > y.confidence; }
 
 /// The proposals for one order of the pieces, surest first.
@@ -218,12 +226,17 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
     if (!dart.slit) proposals.push_back(closing(pattern, dart));
   share_margins(found);
   const double belief = belief_in(found, settings.sides_known);
+  std::vector<Index> rings;
   for (const FoundSeam& seam : found.seams)
     for (const FoundSeam& part : parts_of(found, seam)) {
       SeamProposal proposal = proposal_of(found, part, belief);
       name_edges(lines, pattern, proposal.seam);
-      for (SeamProposal& p : parted(pattern, std::move(proposal))) proposals.push_back(std::move(p));
+      std::vector<SeamProposal> parts = parted(pattern, std::move(proposal));
+      if (parts.size() == 1 && goes_around(found, part))
+        rings.push_back(static_cast<Index>(proposals.size()));
+      std::move(parts.begin(), parts.end(), std::back_inserter(proposals));
     }
+  set_in_sleeves(pattern, found.model, rings, proposals);
   std::stable_sort(proposals.begin(), proposals.end(), surer);
   return proposals;
 }

@@ -31,7 +31,8 @@ bool is_needed(const ShoulderHold& hold, std::span<const Vec3> x) {
 }
 
 void solve_shoulder_holds(std::span<const ShoulderHold> holds, std::span<const double> w, double h,
-                          std::span<const Vec3> before, std::span<Vec3> x) {
+                          std::span<const Vec3> before, std::span<Vec3> x,
+                          std::vector<BroughtBack>& brought) {
   for (const ShoulderHold& hold : holds) {
     if (!is_needed(hold, x)) continue;
     for (const ShoulderHold::Held& held : hold.held) {
@@ -39,8 +40,19 @@ void solve_shoulder_holds(std::span<const ShoulderHold> holds, std::span<const d
       const double aside = std::abs(p.x - hold.middle), out = aside - held.aside;
       if (out <= 0 || w[held.v] == 0 || !holds_at(hold, p)) continue;
       const double slid = std::max(0.0, aside - std::abs(before[held.v].x - hold.middle));
-      p.x += std::copysign(std::min(out, slid + kHandSpeed * h), hold.middle - p.x);
+      const double stopped = std::min(out, slid), back = std::min(out - stopped, kHandSpeed * h);
+      const double inwards = p.x > hold.middle ? -1 : 1;
+      p.x += inwards * (stopped + back);
+      if (back > 0) brought.push_back({held.v, inwards * back});
     }
+  }
+}
+
+void let_lie(std::span<const BroughtBack> brought, double h, std::span<Vec3> velocity) {
+  for (const BroughtBack& b : brought) {
+    double& v = velocity[b.v].x;
+    const double most = b.dx / h;  // contact may have kept it from going all the way
+    v -= most > 0 ? std::clamp(v, 0.0, most) : std::clamp(v, most, 0.0);
   }
 }
 

@@ -10,9 +10,9 @@
 
 namespace toile::solver::constraints {
 
-/// How fast cloth is brought back, m/s; contact decides whether it gets there. Slow: what a hand moves keeps
-/// its speed, and one that comes and goes with `is_needed` would stir the garment for ever.
-inline constexpr double kHandSpeed = 0.05;
+/// How fast cloth is brought back, m/s; contact decides whether it gets there. Slower than 0.2, wide necks
+/// fall off before; faster than 2, a hand that comes and goes with `is_needed` stirs narrow straps for ever.
+inline constexpr double kHandSpeed = 0.5;
 
 /// One shoulder. Lengths in m.
 struct ShoulderHold {
@@ -34,10 +34,19 @@ bool holds_at(const ShoulderHold& hold, Vec3 p);
 /// Whether it holds: no cloth is at the neck.
 bool is_needed(const ShoulderHold& hold, std::span<const Vec3> x);
 
-/// One pass: takes back what slid out since `before`, where the step began, however hard it is pulled, and
-/// brings back by no more than `kHandSpeed`. `w` is 1/kg, 0 for what is pinned; `h` the step, s.
+/// How far the hand brought a vertex back in a step, m along x.
+struct BroughtBack {
+  Index v = 0;
+  double dx = 0;
+};
+
+/// One pass: stops what slid out since `before`, where the step began, however hard it is pulled, and brings
+/// back what is out still. `w` is 1/kg, 0 for what is pinned; `h` the step, s. Adds to `brought`.
 void solve_shoulder_holds(std::span<const ShoulderHold> holds, std::span<const double> w, double h,
-                          std::span<const Vec3> before, std::span<Vec3> x);
+                          std::span<const Vec3> before, std::span<Vec3> x, std::vector<BroughtBack>& brought);
+
+/// Takes from the velocities (m/s) what the hand brought: it lays cloth back and does not throw it.
+void let_lie(std::span<const BroughtBack> brought, double h, std::span<Vec3> velocity);
 
 /// Whether anything leans on it, so that it would slide without.
 bool bears(const ShoulderHold& hold, std::span<const Vec3> x);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/pattern/curve.h"
@@ -155,6 +156,119 @@ TEST_F(TailoredJacket, EasesASleeveIntoItsArmholeAsAWhole) {
     if (!at_body || top.empty() || p.confidence < 0.5) continue;
     EXPECT_EQ(top, std::vector<std::string>{"e2"}) << "the cap alone";
     EXPECT_LT(std::abs(p.length_a - p.length_b), 0.08 * p.length_a) << "nothing is gathered";
+  }
+}
+
+/// A place on one side of a seam: the piece, and where on it, mm.
+struct Place {
+  std::string piece;
+  Vec2 at;
+};
+
+/// Evenly along a side, from where side a begins.
+std::vector<Place> places_along(const pattern::Pattern& pattern, std::vector<pattern::SeamEdge> side,
+                                bool against, int count) {
+  if (against) std::reverse(side.begin(), side.end());
+  double all = 0;
+  std::vector<double> lengths;
+  for (const pattern::SeamEdge& e : side) {
+    lengths.push_back((e.to - e.from) * pattern::arc_length(pattern.panels[e.panel].outline.edges[e.edge]));
+    all += lengths.back();
+  }
+  std::vector<Place> places;
+  for (int k = 0; k < count; ++k) {
+    double s = all * (k + 0.5) / count;
+    std::size_t i = 0;
+    while (s > lengths[i]) s -= lengths[i++];
+    const pattern::SeamEdge& e = side[i];
+    const pattern::PanelEdge& edge = pattern.panels[e.panel].outline.edges[e.edge];
+    const bool backwards = e.reversed != against;
+    const double whole = pattern::arc_length(edge);
+    const Vec2 at = pattern::point_at_length(edge, backwards ? e.to * whole - s : e.from * whole + s);
+    places.push_back({pattern.panels[e.panel].id, at});
+  }
+  return places;
+}
+
+/// What meets what where a sleeve is set into an armhole: places of the bodice, and the sleeve's at each.
+std::pair<std::vector<Place>, std::vector<Place>> armhole_and_sleeve(const pattern::Pattern& pattern,
+                                                                     const SeamProposal& p) {
+  constexpr int kPlaces = 400;
+  std::vector<Place> a = places_along(pattern, p.seam.a, false, kPlaces);
+  std::vector<Place> b = places_along(pattern, p.seam.b, !p.seam.same_direction, kPlaces);
+  if (is_of(pattern, p.seam.a, "topsleeve")) std::swap(a, b);
+  return {a, b};
+}
+
+/// The sleeves' seams into the armholes.
+std::vector<SeamProposal> sleeve_heads(const pattern::Pattern& pattern,
+                                       const std::vector<SeamProposal>& proposals) {
+  std::vector<SeamProposal> heads;
+  for (const SeamProposal& p : sure(pattern, proposals, "front", "topsleeve"))
+    if (!edges_of(pattern, p, "undersleeve").empty()) heads.push_back(p);
+  return heads;
+}
+
+TEST_F(TailoredJacket, TurnsASleeveSoThatItsHighestPointLiesAtTheShoulder) {
+  const std::vector<SeamProposal> heads = sleeve_heads(pattern_, proposals_);
+  ASSERT_EQ(heads.size(), 2U);
+  for (const SeamProposal& p : heads) {
+    const auto [armhole, sleeve] = armhole_and_sleeve(pattern_, p);
+    double highest = 0, at_shoulder = 0;
+    for (const Place& place : sleeve) highest = std::max(highest, place.at.y);
+    for (std::size_t k = 0; k + 1 < armhole.size(); ++k) {
+      const std::string &x = armhole[k].piece, &y = armhole[k + 1].piece;
+      if ((x.starts_with("front") && y.starts_with("back")) ||
+          (x.starts_with("back") && y.starts_with("front")))
+        at_shoulder = sleeve[k].at.y;
+    }
+    EXPECT_NEAR(at_shoulder, highest, 2);
+  }
+}
+
+TEST_F(TailoredJacket, GivesEachArmTheSleeveWhoseElbowIsBehind) {
+  for (const SeamProposal& p : sleeve_heads(pattern_, proposals_)) {
+    const auto [armhole, sleeve] = armhole_and_sleeve(pattern_, p);
+    int seams = 0;
+    for (std::size_t k = 0; k < sleeve.size(); ++k) {
+      const std::string &here = sleeve[k].piece, &next = sleeve[(k + 1) % sleeve.size()].piece;
+      if (here.starts_with("top") == next.starts_with("top")) continue;
+      ++seams;
+      const Vec2 top = here.starts_with("top") ? sleeve[k].at : sleeve[(k + 1) % sleeve.size()].at;
+      const bool elbow = std::abs(top.x) > 150;  // the inner seam is drawn at the piece's other end, at 0
+      EXPECT_EQ(armhole[k].piece.starts_with("back"), elbow) << armhole[k].piece << " at " << top.x;
+    }
+    EXPECT_EQ(seams, 2);
+  }
+}
+
+TEST_F(TailoredJacket, SetsASleeveByTheNotchNearItsHighestPoint) {
+  pattern::Pattern notched = pattern_;
+  constexpr double kAside = 12;  // mm along the cap
+  for (pattern::Panel& panel : notched.panels) {
+    if (!panel.id.starts_with("topsleeve")) continue;
+    const auto cap = std::find_if(panel.outline.edges.begin(), panel.outline.edges.end(),
+                                  [](const pattern::PanelEdge& e) { return e.id == "e2"; });
+    const double whole = pattern::arc_length(*cap);
+    double crown = 0;
+    for (double s = 0; s < whole; s += 0.5)
+      if (pattern::point_at_length(*cap, s).y > pattern::point_at_length(*cap, crown).y) crown = s;
+    // On the front part of the cap, of both sleeves.
+    const bool front_last = std::abs(cap->curves.back().p3.x) < 150;
+    panel.notches.push_back({pattern::point_at_length(*cap, crown + (front_last ? kAside : -kAside)), 0, {}});
+  }
+  const std::vector<SeamProposal> heads = sleeve_heads(notched, seams::propose_seams(notched));
+  ASSERT_EQ(heads.size(), 2U);
+  for (const SeamProposal& p : heads) {
+    const auto [armhole, sleeve] = armhole_and_sleeve(notched, p);
+    for (std::size_t k = 0; k + 1 < armhole.size(); ++k) {
+      if (armhole[k].piece.substr(0, 4) == armhole[k + 1].piece.substr(0, 4)) continue;
+      if (armhole[k].piece.starts_with("side") || armhole[k + 1].piece.starts_with("side")) continue;
+      const auto top = std::find_if(notched.panels.begin(), notched.panels.end(),
+                                    [&](const pattern::Panel& panel) { return panel.id == sleeve[k].piece; });
+      ASSERT_TRUE(sleeve[k].piece.starts_with("topsleeve"));
+      EXPECT_LT(length(top->notches[0].at - sleeve[k].at), 4);
+    }
   }
 }
 
