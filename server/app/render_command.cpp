@@ -1,16 +1,22 @@
 #include <cstdio>
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <system_error>
 
+#include "core/base/read_file.h"
+#include "core/exports/map_file.h"
 #include "core/json/tree.h"
 #include "server/app/commands.h"
 #include "server/app/console.h"
-#include "server/app/map_view.h"
 #include "server/app/read_film.h"
+#include "server/movie/film_still.h"
 #include "server/render/png.h"
-#include "server/render/still.h"
 
 namespace toile::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 Status read_size(const std::string& text, render::StillSettings& settings) {
   if (text.empty()) return {};
@@ -30,35 +36,42 @@ Result<Vec3> read_place(const std::string& text, const char* option) {
   return Error{"render.camera", "a place is X,Y,Z in metres, e.g. 0,1.2,1.5", option};
 }
 
-Result<render::Camera> camera_of(const RenderOptions& options, const render::Scene& scene, double aspect) {
+Result<movie::StillWish> wish_of(const RenderOptions& options) {
+  movie::StillWish wish;
+  TRY(read_size(options.size, wish.settings));
+  wish.settings.samples = options.samples;
+  wish.settings.transparent = options.transparent;
+  wish.map = options.map;
   if (options.eye.empty()) {
-    const render::View view = TRY(render::view_from(options.view));
-    return render::frame_scene(scene, view, aspect);
+    wish.from = TRY(render::view_from(options.view));
+    return wish;
   }
   render::Viewpoint from;
   from.eye = TRY(read_place(options.eye, "--eye"));
   if (!options.target.empty()) from.target = TRY(read_place(options.target, "--target"));
   if (options.angle) from.angle = *options.angle;
-  return render::camera_at(scene, from, aspect);
+  wish.from = from;
+  return wish;
+}
+
+/// The maps.json that toile drape leaves beside its film. Error: usage.map.
+Result<std::string> maps_beside(const fs::path& source) {
+  std::error_code ignored;
+  const fs::path path =
+      (fs::is_directory(source, ignored) ? source : source.parent_path()) / exports::kMapFile;
+  std::optional<std::string> text = read_file(path);
+  if (text) return std::move(*text);
+  return Error{"usage.map", "cannot read the maps that toile drape leaves beside its film; drape anew",
+               path.string()};
 }
 
 Result<render::Image> take(const RenderOptions& options) {
-  render::StillSettings settings;
-  TRY(read_size(options.size, settings));
-  settings.samples = options.samples;
-  settings.transparent = options.transparent;
-  TRY(render::check_settings(settings));
+  const movie::StillWish wish = TRY(wish_of(options));
+  TRY(movie::check_wish(wish));
   const movie::Film film = TRY(read_film(options.source));
-  render::Scene scene = movie::scene_of(film, film.end);
-  render::Legend legend;
-  if (!options.map.empty()) legend = TRY(colour_by_map(options.source, options.map, scene));
-  TRY(render::check_scene(scene));
-  const render::Camera camera =
-      TRY(camera_of(options, scene, static_cast<double>(settings.width) / settings.height));
-  const std::unique_ptr<render::StillRenderer> renderer = TRY(render::StillRenderer::create());
-  render::Image image = TRY(renderer->render(scene, camera, settings));
-  render::draw_legend(image, legend);
-  return image;
+  render::Stills stills;
+  return movie::take_still(
+      film, wish, [&] { return maps_beside(options.source); }, stills);
 }
 
 void print_taken(const render::Image& image, const RenderOptions& options) {

@@ -55,6 +55,7 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   jobs.engine = engine_of_this_program();
   service->jobs_ = jobs::make_job_service(*service->documents_, *service->hub_, jobs, log);
   service->movies_ = std::make_unique<jobs::Movies>(*service->store_);
+  service->stills_ = std::make_unique<jobs::JobStills>(*service->store_);
   http::ServerSettings http;
   http.address = options.address;
   http.container = options.container;
@@ -75,9 +76,10 @@ Result<std::unique_ptr<Service>> Service::start(const ServeOptions& options) {
   service->server_ =
       std::make_unique<http::HttpServer>(*service->store_, *service->jobs_, *service->hub_, http, log);
   http::HttpServer& server = *service->server_;
-  handlers::add_routes(server.router(), {*service->documents_, *service->store_, *service->jobs_,
-                                         *service->movies_, *service->hub_, server.metrics(), server.ready(),
-                                         service->doors_.get(), service->link_door_.get()});
+  handlers::add_routes(
+      server.router(),
+      {*service->documents_, *service->store_, *service->jobs_, *service->movies_, *service->stills_,
+       *service->hub_, server.metrics(), server.ready(), service->doors_.get(), service->link_door_.get()});
   TRY(server.start());
   TRY(service->jobs_->start());
   service->retention_ =
@@ -101,6 +103,7 @@ void Service::stop() {
   deliverer_.reset();
   retention_.reset();
   if (movies_) movies_->stop();
+  if (stills_) stills_->stop();
   if (jobs_) jobs_->stop();
   if (server_) server_->stop();
 }

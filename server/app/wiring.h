@@ -9,6 +9,7 @@
 #include "server/documents/documents.h"
 #include "server/http/handlers/api.h"
 #include "server/http/server.h"
+#include "server/jobs/job_stills.h"
 #include "server/jobs/movies.h"
 #include "server/jobs/retention.h"
 #include "server/jobs/service.h"
@@ -45,6 +46,7 @@ class Service {
   std::unique_ptr<ws::Hub> hub_;
   std::unique_ptr<jobs::JobService> jobs_;
   std::unique_ptr<jobs::Movies> movies_;
+  std::unique_ptr<jobs::JobStills> stills_;
   std::unique_ptr<jobs::Retention> retention_;
   std::unique_ptr<handlers::Doors> doors_;  ///< null: there are no accounts
   std::unique_ptr<handlers::LinkDoor> link_door_;

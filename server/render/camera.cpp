@@ -94,6 +94,12 @@ std::vector<std::string> view_words() {
   return words;
 }
 
+std::string_view word_of(View view) {
+  return std::find_if(kViews.begin(), kViews.end(),
+                      [view](const NamedView& named) { return named.view == view; })
+      ->word;
+}
+
 Result<View> view_from(std::string_view word) {
   for (const NamedView& named : kViews)
     if (named.word == word) return named.view;
@@ -148,16 +154,22 @@ Camera frame_scene(const Scene& scene, View view, double aspect) {
   return wide;
 }
 
+Status check_viewpoint(const Viewpoint& from) {
+  const double off = from.target ? length(from.eye - *from.target) : kNearest;
+  if (!is_finite(from.eye) || (from.target && !is_finite(*from.target)) ||
+      !(off >= kNearest && off <= kFarthestEye))
+    return Error{"render.camera", "a camera stands 1 cm to 100 m off what it looks at", "eye"};
+  if (!(from.angle >= 1 && from.angle <= 120))
+    return Error{"render.camera", "a camera sees 1 to 120 degrees", "angle"};
+  return {};
+}
+
 Result<Camera> camera_at(const Scene& scene, const Viewpoint& from, double aspect) {
   const Aabb3 cloth = cloth_box(scene), all = whole_box(scene);
   const Aabb3& box = cloth.empty() ? all : cloth;
   const Vec3 target = from.target.value_or(box.empty() ? Vec3{} : box.middle());
+  TRY(check_viewpoint({from.eye, target, from.angle}));
   const Vec3 back = from.eye - target;
-  if (!is_finite(from.eye) || !is_finite(target) ||
-      !(length(back) >= kNearest && length(back) <= kFarthestEye))
-    return Error{"render.camera", "a camera stands 1 cm to 100 m off what it looks at", "eye"};
-  if (!(from.angle >= 1 && from.angle <= 120))
-    return Error{"render.camera", "a camera sees 1 to 120 degrees", "angle"};
   Camera camera;
   camera.half_height = std::tan(radians_from_degrees(from.angle) / 2);
   camera.aspect = aspect;

@@ -18,6 +18,7 @@ enum class View { kFront, kBack, kSide, kRight, kThreeQuarter, kBackQuarter };
 
 /// "front", "back", "side", "right", "three-quarter", "back-quarter".
 std::vector<std::string> view_words();
+std::string_view word_of(View view);
 /// Error: "render.view".
 Result<View> view_from(std::string_view word);
 
@@ -48,6 +49,9 @@ struct Viewpoint {
   std::optional<Vec3> target{};  ///< m; the middle of the cloth, or of all where there is no cloth
   double angle = 21.5;           ///< degrees that are seen from top to bottom
 };
+
+/// Error: "render.camera", in `where` what is at fault.
+Status check_viewpoint(const Viewpoint& from);
 
 /// Upright, or with the front to the picture's lower side where it looks straight up or down. Error:
 /// "render.camera".

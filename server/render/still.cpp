@@ -116,12 +116,21 @@ Result<Image> StillRenderer::render(const Scene& scene, const Camera& camera, co
   return settings.transparent ? reduction.with_opacity() : reduction.opaque();
 }
 
+Status Stills::make_renderer() {
+  if (renderer_ != nullptr) return {};
+  std::unique_ptr<StillRenderer> made = TRY(StillRenderer::create());
+  renderer_ = std::move(made);
+  return {};
+}
+
 Result<Image> Stills::render(const Scene& scene, View view, const StillSettings& settings) {
-  if (renderer_ == nullptr) {
-    std::unique_ptr<StillRenderer> made = TRY(StillRenderer::create());
-    renderer_ = std::move(made);
-  }
+  TRY(make_renderer());
   return renderer_->render(scene, view, settings);
+}
+
+Result<Image> Stills::render(const Scene& scene, const Camera& camera, const StillSettings& settings) {
+  TRY(make_renderer());
+  return renderer_->render(scene, camera, settings);
 }
 
 }  // namespace toile::render

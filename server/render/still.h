@@ -51,8 +51,10 @@ class Stills {
  public:
   /// Errors: as above.
   Result<Image> render(const Scene& scene, View view, const StillSettings& settings = {});
+  Result<Image> render(const Scene& scene, const Camera& camera, const StillSettings& settings = {});
 
  private:
+  Status make_renderer();
   std::unique_ptr<StillRenderer> renderer_;
 };
 

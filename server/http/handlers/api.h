@@ -14,6 +14,7 @@
 #include "server/documents/documents.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
+#include "server/jobs/job_stills.h"
 #include "server/jobs/movies.h"
 #include "server/jobs/service.h"
 #include "server/store/store.h"
@@ -44,6 +45,7 @@ struct Api {
   store::Store& store;  ///< that of the documents
   jobs::JobService& jobs;
   jobs::Movies& movies;
+  jobs::JobStills& stills;
   const ws::Hub& hub;
   const http::Metrics& metrics;
   const std::atomic<bool>& ready;  ///< false while the server drains
@@ -77,6 +79,7 @@ ApiRoutes fabric_routes();
 ApiRoutes arrangement_routes();
 ApiRoutes job_routes();
 ApiRoutes movie_routes();
+ApiRoutes still_routes();
 ApiRoutes link_routes();
 ApiRoutes shared_routes();
 ApiRoutes session_routes();

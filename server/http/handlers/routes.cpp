@@ -9,10 +9,10 @@
 namespace toile::handlers {
 
 void add_routes(http::Router& router, const Api& api) {
-  for (const auto& table :
-       {health_routes, asset_routes, project_routes, pattern_file_routes, edit_routes, version_routes,
-        body_routes, fabric_routes, arrangement_routes, job_routes, sweep_routes, event_routes,
-        webhook_routes, movie_routes, link_routes, shared_routes, session_routes, admin_routes}) {
+  for (const auto& table : {health_routes, asset_routes, project_routes, pattern_file_routes, edit_routes,
+                            version_routes, body_routes, fabric_routes, arrangement_routes, job_routes,
+                            sweep_routes, event_routes, webhook_routes, movie_routes, still_routes,
+                            link_routes, shared_routes, session_routes, admin_routes}) {
     for (ApiRoute& line : table()) {
       http::Route route;
       route.method = line.method;

@@ -136,6 +136,7 @@ class Served : public testing::Test {
     }
     ASSERT_TRUE(jobs->start());
     movies = std::make_unique<jobs::Movies>(*store);
+    stills = std::make_unique<jobs::JobStills>(*store);
     settings.port = 0;
     if (with_accounts) {
       doors = std::make_unique<handlers::Doors>(*store->accounts(), http::cookie_name(settings.secure()));
@@ -145,8 +146,9 @@ class Served : public testing::Test {
     settings.links = &link_door->gate;
     settings.most_connections = 64;
     server = std::make_unique<http::HttpServer>(*store, *jobs, hub, settings, log);
-    handlers::add_routes(server->router(), {*documents, *store, *jobs, *movies, hub, server->metrics(),
-                                            server->ready(), doors.get(), link_door.get()});
+    handlers::add_routes(server->router(),
+                         {*documents, *store, *jobs, *movies, *stills, hub, server->metrics(),
+                          server->ready(), doors.get(), link_door.get()});
     if (more_routes) more_routes(server->router());
     const Status started = server->start();
     ASSERT_TRUE(started) << to_string(started.error());
@@ -163,6 +165,7 @@ class Served : public testing::Test {
     doors.reset();
     link_door.reset();
     movies.reset();
+    stills.reset();
     jobs.reset();
     documents.reset();
     store.reset();
@@ -212,6 +215,7 @@ class Served : public testing::Test {
   std::unique_ptr<documents::Documents> documents;
   std::unique_ptr<jobs::JobService> jobs;
   std::unique_ptr<jobs::Movies> movies;
+  std::unique_ptr<jobs::JobStills> stills;
   std::unique_ptr<handlers::Doors> doors;
   std::unique_ptr<handlers::LinkDoor> link_door;
   std::unique_ptr<http::HttpServer> server;

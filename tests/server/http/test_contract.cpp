@@ -263,6 +263,29 @@ class Contract : public Served {
     EXPECT_EQ(recorded("GET", address + "/results/turntable-64x80-2-1s.mp4").status, 200);
   }
 
+  /// Taken, or failed where OpenGL is missing.
+  void record_stills(const std::string& address) {
+    const std::string place = address + "/stills", near = R"({"eye": [0, 1, 3], "width": 64, "height": 80})";
+    for (const char* wrong : {R"({"view": "below"})", R"({"width": 9999})", R"({"map": "warmth"})",
+                              R"({"eye": [0, 1]})", R"({"angle": 30})", R"({"eye": [0, 1, 3], "angle": 0})",
+                              R"({"eye": [0, 1, 3], "view": "front"})", R"({"transparent": 1})"})
+      EXPECT_EQ(recorded("POST", place, wrong, kJson).status, 422) << wrong;
+    EXPECT_EQ(recorded("POST", place, near, kJson).status, 202);
+    recorded("POST", place, R"({"view": "front", "width": 64, "height": 80})", kJson);
+    recorded("DELETE", place + "/still-front-64x80.png");
+    recorded("DELETE", place + "/nothing.png");
+    std::string listed;
+    for (int waited = 0; waited < 600; ++waited) {
+      listed = get(place).body;
+      if (listed.find("\"made\"") != std::string::npos || listed.find("\"failed\"") != std::string::npos)
+        break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    recorded("GET", place);
+    EXPECT_NE(listed.find("\"made\""), std::string::npos) << listed;
+    EXPECT_EQ(recorded("POST", place, near, kJson).status, 200);
+  }
+
   int check(const std::string& recordings) {
     const std::string root = TOILE_SOURCE_DIR;
     const std::string command =
@@ -366,6 +389,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   recorded("GET", address + "/results/report.json/small");
   record_links(address);
   record_movies(address);
+  record_stills(address);
   record_sweeps(project);
   EXPECT_EQ(recorded("PUT", address + "/tags", R"({"tags": ["spring"]})", kJson).status, 200);
   recorded("GET", address + "/report");
