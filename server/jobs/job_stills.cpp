@@ -39,7 +39,9 @@ std::string still_name(const movie::StillWish& wish) {
   return name + ".png";
 }
 
-JobStills::JobStills(store::Store& store, OrderLimits limits) : OnDemand(store, limits, "still", is_still) {}
+JobStills::JobStills(store::Store& store, OrderLimits limits)
+    : OnDemand(store, limits,
+               {"still", "still.no_film", "still.busy", "still.too_many", "still.failed", is_still}) {}
 
 Result<Order> JobStills::ask(const store::RequestContext& context, const std::string& job_id,
                              const movie::StillWish& wish) {

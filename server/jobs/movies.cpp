@@ -30,7 +30,9 @@ std::string movie_name(const movie::MovieSettings& settings) {
   return name + "." + movie::word_of(settings.format);
 }
 
-Movies::Movies(store::Store& store, OrderLimits limits) : OnDemand(store, limits, "movie", is_movie) {}
+Movies::Movies(store::Store& store, OrderLimits limits)
+    : OnDemand(store, limits,
+               {"movie", "movie.no_film", "movie.busy", "movie.too_many", "movie.failed", is_movie}) {}
 
 Result<Order> Movies::ask(const store::RequestContext& context, const std::string& job_id,
                           const movie::MovieSettings& settings) {

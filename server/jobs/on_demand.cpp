@@ -40,16 +40,13 @@ std::string_view word_of(OrderState state) {
   return found->word;
 }
 
-OnDemand::OnDemand(store::Store& store, OrderLimits limits, std::string thing,
-                   bool (*is_one)(const std::string& name))
-    : store_(store), limits_(limits), thing_(std::move(thing)), is_one_(is_one), thread_([this] {
-        work();
-      }) {}
+OnDemand::OnDemand(store::Store& store, OrderLimits limits, ThingMade thing)
+    : store_(store), limits_(limits), thing_(thing), thread_([this] { work(); }) {}
 
 Status OnDemand::check_job(const store::JobRow& job) const {
   if (store::is_final(job.state) && job.results.contains(movie::kFilmFile)) return {};
-  return Error{thing_ + ".no_film",
-               "there is nothing to make a " + thing_ +
+  return Error{thing_.no_film,
+               std::string("there is nothing to make a ") + thing_.name +
                    " of: the job has not ended, or was draped by an older program",
                job.id, ErrorKind::kConflict};
 }
@@ -73,15 +70,18 @@ Status OnDemand::check_room(const store::RequestContext& context, const store::J
     return std::get<0>(e.first) == context.owner && is_under_way(e.second.shown.state);
   }));
   if (waiting >= limits_.waiting || own >= limits_.waiting_of_owner) {
-    return Error{thing_ + ".busy",
-                 "too many " + thing_ + "s are waiting to be made; ask again when some are done", "",
-                 ErrorKind::kTooMany};
+    return Error{
+        thing_.busy,
+        std::string("too many ") + thing_.name + "s are waiting to be made; ask again when some are done", "",
+        ErrorKind::kTooMany};
   }
-  const auto kept = static_cast<std::size_t>(std::count_if(
-      job.results.begin(), job.results.end(), [this](const auto& file) { return is_one_(file.first); }));
+  const auto kept =
+      static_cast<std::size_t>(std::count_if(job.results.begin(), job.results.end(),
+                                             [this](const auto& file) { return thing_.is_one(file.first); }));
   if (kept < limits_.of_job) return {};
-  return Error{thing_ + ".too_many",
-               "the job has as many " + thing_ + "s as are kept (" + std::to_string(limits_.of_job) + ")",
+  return Error{thing_.too_many,
+               std::string("the job has as many ") + thing_.name + "s as are kept (" +
+                   std::to_string(limits_.of_job) + ")",
                job.id, ErrorKind::kConflict};
 }
 
@@ -117,7 +117,7 @@ Result<std::vector<Order>> OnDemand::of_job(const store::RequestContext& context
   const store::JobRow job = TRY(store_.job(context, job_id));
   std::erase_if(told, [&](const Order& order) { return job.results.contains(order.name); });
   for (const auto& [name, file] : job.results)
-    if (is_one_(name)) told.push_back({name, OrderState::kMade, 1, std::nullopt});
+    if (thing_.is_one(name)) told.push_back({name, OrderState::kMade, 1, std::nullopt});
   return told;
 }
 
@@ -126,7 +126,7 @@ Status OnDemand::cancel(const store::RequestContext& context, const std::string&
   const std::lock_guard lock(mutex_);
   const auto found = orders_.find({context.owner, job_id, name});
   if (found == orders_.end() || !is_under_way(found->second.shown.state)) {
-    return Error{"store.not_found", "no such " + thing_ + " is being made", clipped(name),
+    return Error{"store.not_found", std::string("no such ") + thing_.name + " is being made", clipped(name),
                  ErrorKind::kNotFound};
   }
   *found->second.dropped = true;
@@ -181,7 +181,7 @@ void OnDemand::end(const Key& key, const Status& made) {
     orders_.erase(key);
     return;
   }
-  asked.context.log.warn(thing_ + " not made", made.error());
+  asked.context.log.warn(std::string(thing_.name) + " not made", made.error());
   asked.shown.state = OrderState::kFailed;
   asked.shown.error = made.error();
   forget_old_failures();
@@ -201,8 +201,8 @@ Status OnDemand::make(const Key& key, const Asked& asked, render::Stills& stills
     try {
       made = make_once(key, asked, stills);
     } catch (const std::exception& e) {
-      made = Error{thing_ + ".failed", "the making of the " + thing_ + " broke off: " + e.what(), "",
-                   ErrorKind::kSystem};
+      made = Error{thing_.failed, std::string("the making of the ") + thing_.name + " broke off: " + e.what(),
+                   "", ErrorKind::kSystem};
     }
     if (made || *asked.dropped || made.error().kind != ErrorKind::kSystem) return made;
   }
@@ -235,7 +235,8 @@ Status OnDemand::keep(const Key& key, const store::RequestContext& context, cons
     return {};
   });
   if (!kept) return kept.error();
-  context.log.info(thing_ + " made", {{"name", name}, {"bytes", std::to_string(bytes.size())}});
+  context.log.info(std::string(thing_.name) + " made",
+                   {{"name", name}, {"bytes", std::to_string(bytes.size())}});
   return {};
 }
 

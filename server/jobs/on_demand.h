@@ -48,6 +48,13 @@ struct OrderLimits {
   int side = 2048;          ///< pixels
 };
 
+/// What is made on demand, in English, and the codes of its errors.
+struct ThingMade {
+  const char* name;
+  const char *no_film, *busy, *too_many, *failed;
+  bool (*is_one)(const std::string& name);  ///< whether a result of a job is such
+};
+
 /// What is made of a job.
 struct Ingredients {
   movie::Film film;
@@ -62,10 +69,7 @@ class OnDemand {
   /// where the machine was at fault.
   using Make = std::function<Result<std::string>(const Ingredients& from, const RunContext& context)>;
 
-  /// `thing` is the English word for one of them, which its error codes begin with: "movie". `is_one` tells
-  /// which of a job's results are such.
-  OnDemand(store::Store& store, OrderLimits limits, std::string thing,
-           bool (*is_one)(const std::string& name));
+  OnDemand(store::Store& store, OrderLimits limits, ThingMade thing);
   ~OnDemand() { stop(); }
   OnDemand(const OnDemand&) = delete;
   OnDemand& operator=(const OnDemand&) = delete;
@@ -107,8 +111,7 @@ class OnDemand {
 
   store::Store& store_;
   const OrderLimits limits_;
-  const std::string thing_;
-  bool (*const is_one_)(const std::string& name);
+  const ThingMade thing_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::map<Key, Asked> orders_;  ///< those that are made are not among them

@@ -170,6 +170,8 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     body: missing,
     makeMovie: missing,
     movies: async () => [],
+    takeStill: missing,
+    takenStills: async () => [],
     links: async () => [],
     share: missing,
     revoke: async () => undefined,

@@ -20,6 +20,8 @@ import type {
   LayerMap,
   MovieKind,
   MovieOrder,
+  StillOrder,
+  StillWish,
   Pieces,
   Project,
   Question,
@@ -74,6 +76,9 @@ export interface Api extends SessionApi, AdminApi, LinkApi, PatternUrls, SweepAp
   /** Asks for it; asking again tells how it stands, and tries again what has failed. */
   makeMovie(id: string, kind: MovieKind): Promise<MovieOrder>;
   movies(id: string): Promise<MovieOrder[]>;
+  /** As makeMovie(), for a still. */
+  takeStill(id: string, wish: StillWish): Promise<StillOrder>;
+  takenStills(id: string): Promise<StillOrder[]>;
   /** `width`: of a still that is made smaller, pixels. */
   resultUrl(id: string, name: string, width?: number): string;
   assetUrl(id: string): string;
@@ -155,6 +160,9 @@ export function makeApi(http = new Http('/api/v1')): Api {
       return (await http.post<{ movie: MovieOrder }>(`/jobs/${part(id)}/movies`, wish)).movie;
     },
     movies: async (id) => (await http.get<Answer<'listMovies'>>(`/jobs/${part(id)}/movies`)).movies,
+    takeStill: async (id, wish) =>
+      (await http.post<{ still: StillOrder }>(`/jobs/${part(id)}/stills`, wish satisfies Question<'takeStill'>)).still,
+    takenStills: async (id) => (await http.get<Answer<'listStills'>>(`/jobs/${part(id)}/stills`)).stills,
     resultUrl: (id, name, width) => http.url(result(id, name) + (width ? `/small?width=${width}` : '')),
     assetUrl: (id) => http.url(`/assets/${part(id)}/content`),
     streamUrl: (id) => http.socketUrl(`/jobs/${part(id)}/stream`),

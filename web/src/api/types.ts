@@ -52,6 +52,16 @@ export type Taking = Schemas['Taking'];
 export type SharedJob = Omit<Schemas['SharedJob'], 'report'> & { report: Report | null };
 /** Who asks, and what they may. */
 export type Session = Schemas['Session'];
+/** How a still stands that was asked for, and what is asked. */
+export type StillOrder = Schemas['Still'];
+export interface StillWish {
+  eye: [number, number, number];
+  target: [number, number, number];
+  angle: number;
+  width: number;
+  height: number;
+  transparent: boolean;
+}
 export type MovieKind = 'drape' | 'turntable';
 export type Edit = One<Schemas['EditList']>;
 export type EditOf<Kind extends Edit['edit']> = Extract<Edit, { edit: Kind }>;

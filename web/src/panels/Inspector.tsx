@@ -8,13 +8,14 @@ import { BodyPanel } from './BodyPanel';
 import { DrapeFigures } from './DrapeFigures';
 import { Results } from './Results';
 import type { MovieMaking } from './Movies';
+import type { PictureTaking } from './Pictures';
 import { PatternPanel } from './PatternPanel';
 import type { PicturesProps } from './Rail';
 import { t } from '../texts/language';
 
 const kTabs: readonly Tab[] = ['pattern', 'body', 'arrange', 'drape', 'result'];
 
-export function Inspector(props: PicturesProps & { movies?: MovieMaking; files?: PatternUrls }) {
+export function Inspector(props: PicturesProps & { movies?: MovieMaking & PictureTaking; files?: PatternUrls }) {
   const state = useAppState();
   const shown = state.tab.value;
   const turn = (event: KeyboardEvent): void => {

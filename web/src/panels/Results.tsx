@@ -10,13 +10,14 @@ import { CompareWith } from './CompareWith';
 import { Enlarged, FileLink, Lines, stillName, Stills } from './DrapeParts';
 import { FitTable } from './FitTable';
 import { Movies, type MovieMaking } from './Movies';
+import { Pictures, type PictureTaking } from './Pictures';
 import { OutcomeList } from './OutcomeList';
 import type { PicturesProps } from './Rail';
 import { SectionPanel } from './SectionPanel';
 import { t } from '../texts/language';
 import { Told } from '../texts/Message';
 
-export function Results({ resultUrl, movies }: PicturesProps & { movies?: MovieMaking }) {
+export function Results({ resultUrl, movies }: PicturesProps & { movies?: MovieMaking & PictureTaking }) {
   const state = useAppState();
   const job = state.job.value;
   const large = useSignal<string | null>(null);
@@ -36,6 +37,7 @@ export function Results({ resultUrl, movies }: PicturesProps & { movies?: MovieM
       <Fit />
       <SectionPanel />
       <CompareWith job={job} />
+      <Pictures job={job} taking={movies} />
       <Movies job={job} making={movies} />
       {downloads.length > 0 && <h3>{t.common.takeOut}</h3>}
       <ul class="downloads">

@@ -157,7 +157,11 @@ function connect(scene: SceneView, state: AppState): () => void {
     }),
     paintByTheme(scene),
   ];
-  return () => stops.forEach((stop) => stop());
+  state.lookingFrom.value = () => scene.viewpoint;
+  return () => {
+    state.lookingFrom.value = null;
+    stops.forEach((stop) => stop());
+  };
 }
 
 /** A change of body or places under way. */

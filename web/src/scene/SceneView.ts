@@ -3,7 +3,7 @@
 
 import { Color, Scene, type WebGLRenderer } from 'three';
 import type { BodyMesh } from '../api/body';
-import type { View } from '../state/AppState';
+import type { View, Viewpoint } from '../state/AppState';
 import type { LiveCloth } from '../state/LiveCloth';
 import type { Finding, ProjectBody, Start } from '../api/dressing';
 import type { Progress } from '../api/types';
@@ -323,6 +323,12 @@ export class SceneView {
     const positions = this.cloth_.positions;
     const cloth = positions ? boundsOf(positions) : null;
     return poseOf(this.view_, cloth, this.bodyBounds_, this.start_ !== null, this.camera_.camera.aspect);
+  }
+
+  /** From where it is seen now. */
+  get viewpoint(): Viewpoint {
+    const { eye, target } = this.camera_.pose;
+    return { eye, target, angle: kFov, aspect: this.camera_.camera.aspect };
   }
 
   private resize(): void {

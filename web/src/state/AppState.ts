@@ -60,6 +60,14 @@ export interface Intake {
 export type View = 'front' | 'back' | 'side' | 'three-quarter';
 export type Tab = 'pattern' | 'body' | 'arrange' | 'drape' | 'result';
 
+/** Where somebody looks from; metres, degrees from top to bottom, width over height. */
+export interface Viewpoint {
+  eye: [number, number, number];
+  target: [number, number, number];
+  angle: number;
+  aspect: number;
+}
+
 export class AppState {
   readonly route: Signal<Route> = signal({ name: 'home' });
   readonly projects: Signal<Loaded<Project[]>> = signal(loading);
@@ -112,6 +120,8 @@ export class AppState {
   readonly tab: Signal<Tab> = signal('pattern');
   /** Written by a command, read by the 3D view; `turn` rises so that the same view can be asked for again. */
   readonly view: Signal<{ view: View; turn: number }> = signal({ view: 'three-quarter', turn: 0 });
+  /** Tells from where the 3D view is seen now; null while there is none. */
+  readonly lookingFrom: Signal<(() => Viewpoint) | null> = signal(null);
   readonly bodyShown: Signal<boolean> = signal(true);
   readonly meshShown: Signal<boolean> = signal(false);
   /** What the cloth is coloured by; null: as it looks. */

@@ -142,15 +142,16 @@ export function downloadsOf(results: Record<string, number>): Download[] {
     .map(([name, file]) => ({ name, ...t.report.files[file], bytes: results[name]! }));
   const rest = Object.keys(results)
     .sort()
-    .filter((name) => !stillOrder(name) && !isThumbnail(name) && !kKnown.some(([other]) => other === name))
+    .filter((name) => !stillOrder(name) && !isApart(name) && !kKnown.some(([other]) => other === name))
     .map((name) => ({ name, title: name, hint: '', bytes: results[name]! }));
   return [...known, ...rest];
 }
 
 const kStills = ['three-quarter.png', 'front.png', 'back.png', 'side.png', 'left.png', 'right.png'];
-const isThumbnail = (name: string): boolean => /^thumb(nail)?\./.test(name);
+/** Small ones, and those that were asked for from the 3D view, which have a list of their own. */
+const isApart = (name: string): boolean => /^(thumb(nail)?\.|still-)/.test(name);
 const stillOrder = (name: string): number =>
-  isThumbnail(name) || !name.endsWith('.png') ? 0 : 1 + (kStills.indexOf(name) + 1 || 99);
+  isApart(name) || !name.endsWith('.png') ? 0 : 1 + (kStills.indexOf(name) + 1 || 99);
 
 /** The stills, the most telling first. */
 export function stillsOf(results: Record<string, number>): string[] {

@@ -3,13 +3,14 @@ import { fireEvent, screen, within } from '@testing-library/dom';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { click, openPage, type Page } from './page';
 import { ApiError } from '../../src/api/http';
-import type { Edit, Job, MovieOrder, Report } from '../../src/api/types';
+import type { Edit, Job, MovieOrder, Report, StillOrder, StillWish } from '../../src/api/types';
 import { CompareWith } from '../../src/panels/CompareWith';
 import { ComparisonPanel } from '../../src/panels/ComparisonPanel';
 import { DrapeFigures } from '../../src/panels/DrapeFigures';
 import { FitTable } from '../../src/panels/FitTable';
 import { Movies } from '../../src/panels/Movies';
 import { OutcomeList } from '../../src/panels/OutcomeList';
+import { Pictures } from '../../src/panels/Pictures';
 import { Results } from '../../src/panels/Results';
 import { SeamChip } from '../../src/panels/SeamChip';
 import { SolverField } from '../../src/panels/SolverField';
@@ -286,6 +287,47 @@ describe('the results', () => {
     click(screen.getByRole('button', { name: /Movie of the drape/ }));
     expect(await screen.findByText('ffmpeg is not installed')).toBeTruthy();
     expect(asked).toEqual(['j_1 turntable', 'j_1 drape']);
+  });
+
+  it('have pictures taken from where the 3D view is seen, and keep their list', async () => {
+    const order = { name: 'still-from-1.png', fraction: 0, href: null, error: null };
+    const wishes: StillWish[] = [];
+    let kept: StillOrder[] = [];
+    const taking = {
+      takeStill: async (_: string, wish: StillWish): Promise<StillOrder> => {
+        wishes.push(wish);
+        kept = [{ ...order, state: 'made', fraction: 1 }];
+        return kept[0]!;
+      },
+      takenStills: async () => kept,
+      resultUrl,
+    };
+    const film = { 'drape.film': 900 };
+    page.show(<Pictures job={jobOf({ state: 'running', results: film })} taking={taking} />);
+    expect(screen.queryByRole('button')).toBeNull();
+    page.show(<Pictures job={jobOf({ state: 'succeeded', results: film })} taking={taking} />);
+    const button = screen.getByRole<HTMLButtonElement>('button', { name: /Picture from here/ });
+    expect(button.disabled).toBe(true);
+    page.change((state) => (state.lookingFrom.value = () => ({ eye: [0, 1, 3], target: [0, 1, 0], angle: 32, aspect: 2 })));
+    click(screen.getByRole('checkbox', { name: 'Without a backdrop' }));
+    click(button);
+    const link = await screen.findByRole('link', { name: 'Picture 1' });
+    expect(link.getAttribute('href')).toBe('/results/j_1/still-from-1.png');
+    expect(wishes).toEqual([{ eye: [0, 1, 3], target: [0, 1, 0], angle: 32, width: 1280, height: 640, transparent: true }]);
+  });
+
+  it('say why a picture could not be taken', async () => {
+    const taking = {
+      takeStill: async (): Promise<StillOrder> => {
+        throw new ApiError(409, 'still.too_many', 'the job has as many stills as are kept (40)');
+      },
+      takenStills: async () => [],
+      resultUrl,
+    };
+    page.change((state) => (state.lookingFrom.value = () => ({ eye: [0, 1, 3], target: [0, 1, 0], angle: 32, aspect: 1 })));
+    page.show(<Pictures job={jobOf({ state: 'succeeded', results: { 'drape.film': 900 } })} taking={taking} />);
+    click(screen.getByRole('button', { name: /Picture from here/ }));
+    expect(await screen.findByText('the job has as many stills as are kept (40)')).toBeTruthy();
   });
 
   it('show a still large, until it is closed', () => {

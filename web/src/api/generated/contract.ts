@@ -1090,6 +1090,54 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/stills": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        /** The stills of a drape that were asked for, taken, under way and failed */
+        get: operations["listStills"];
+        put?: never;
+        /**
+         * Ask for a still of a drape that has ended, from anywhere
+         * @description From a view, or from an own camera (eye), as the cloth looks or coloured by one of its maps with a legend. It is
+         *     taken once, by turns of owners and behind drapes, and kept among the job's results. Asking again tells how it stands,
+         *     and tries again what has failed. What waits when the service stops is taken when it is asked for again.
+         */
+        post: operations["takeStill"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/stills/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+                /** @example still-front-ease-800x1000.png */
+                name: string;
+            };
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** Take back a still that waits or is being taken */
+        delete: operations["cancelStill"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/report": {
         parameters: {
             query?: never;
@@ -2763,6 +2811,43 @@ export interface components {
         };
         /**
          * @example {
+         *       "name": "still-front-ease-800x1000.png",
+         *       "state": "making",
+         *       "fraction": 0,
+         *       "href": null,
+         *       "error": null
+         *     }
+         */
+        Still: {
+            /** @description of the result that it is or becomes */
+            name: string;
+            /** @enum {string} */
+            state: "queued" | "making" | "made" | "failed";
+            /** @description of its making */
+            fraction: number;
+            /** @description once it is taken */
+            href: string | null;
+            /** @description why it failed, e.g. map.absent, render.too_far */
+            error: {
+                code: string;
+                detail: string;
+            } | null;
+        };
+        /**
+         * @description x, y, z in metres: y up, the ground at 0, the body faces +z
+         * @example [
+         *       0.4,
+         *       1.2,
+         *       2.5
+         *     ]
+         */
+        ScenePoint: [
+            number,
+            number,
+            number
+        ];
+        /**
+         * @example {
          *       "name": "final.glb",
          *       "size": 271244,
          *       "xxh3": "185b51bfe69fa48fcfaabd3c3951412c",
@@ -4338,6 +4423,17 @@ export interface components {
             content: {
                 "application/json": {
                     movie: components["schemas"]["Movie"];
+                };
+            };
+        };
+        /** @description How the still stands; 200 when it is taken, 202 while it is not */
+        Still: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/json": {
+                    still: components["schemas"]["Still"];
                 };
             };
         };
@@ -6542,6 +6638,129 @@ export interface operations {
                 /** @example j_1qedqq1nd5hfbjxpm78j */
                 id: components["parameters"]["JobId"];
                 /** @example turntable-480x600-25.mp4 */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It is taken back */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    listStills: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description All of them */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        stills: components["schemas"]["Still"][];
+                    };
+                };
+            };
+            404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    takeStill: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "view": "front",
+                 *       "map": "ease",
+                 *       "width": 800,
+                 *       "height": 1000
+                 *     }
+                 */
+                "application/json": {
+                    /**
+                     * @description from where the whole garment is in the picture; not beside eye
+                     * @default three-quarter
+                     * @enum {string}
+                     */
+                    view?: "front" | "back" | "side" | "right" | "three-quarter" | "back-quarter";
+                    /** @description where an own camera stands */
+                    eye?: components["schemas"]["ScenePoint"];
+                    /** @description what it looks at; without it the middle of the cloth */
+                    target?: components["schemas"]["ScenePoint"];
+                    /**
+                     * @description degrees that it sees from top to bottom
+                     * @default 21.5
+                     */
+                    angle?: number;
+                    /**
+                     * @description what the cloth is coloured by, as maps.json has it
+                     * @enum {string}
+                     */
+                    map?: "warp" | "weft" | "shear" | "ease" | "curvature" | "pressure";
+                    /**
+                     * @description pixels
+                     * @default 1024
+                     */
+                    width?: number;
+                    /**
+                     * @description pixels
+                     * @default 1280
+                     */
+                    height?: number;
+                    /**
+                     * @description no backdrop, and of the ground the shadow only
+                     * @default false
+                     */
+                    transparent?: boolean;
+                };
+            };
+        };
+        responses: {
+            200: components["responses"]["Still"];
+            202: components["responses"]["Still"];
+            400: components["responses"]["Problem"];
+            404: components["responses"]["Problem"];
+            409: components["responses"]["Problem"];
+            415: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
+            429: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    cancelStill: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+                /** @example still-front-ease-800x1000.png */
                 name: string;
             };
             cookie?: never;

@@ -19,6 +19,14 @@ export const report: Texts['report'] = {
   keptHere: 'Bilder, Modelle und der Bericht stehen hier, wenn die Drapierung zu Ende ist.',
   withoutResults: 'Diese Drapierung endete ohne Ergebnisse.',
   reading: 'Der Bericht wird gelesen …',
+  pictures: {
+    title: 'Bilder von hier',
+    take: 'Bild von hier',
+    asked: 'PNG, wie die 3D-Ansicht gerade zu sehen ist',
+    clear: 'Ohne Hintergrund',
+    takes: 'Wird aufgenommen',
+    taken: (number) => `Bild ${number}`,
+  },
   movies: {
     drape: 'Film der Drapierung',
     turntable: 'Drehtisch',

@@ -18,6 +18,14 @@ export const report = {
   keptHere: 'Stills, models and the report are kept here when the drape has ended.',
   withoutResults: 'This drape ended without results.',
   reading: 'Reading the report…',
+  pictures: {
+    title: 'Pictures from here',
+    take: 'Picture from here',
+    asked: 'PNG, as the 3D view is seen now',
+    clear: 'Without a backdrop',
+    takes: 'Is being taken',
+    taken: (number: number) => `Picture ${number}`,
+  },
   movies: {
     drape: 'Movie of the drape',
     turntable: 'Turntable',
