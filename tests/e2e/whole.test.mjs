@@ -93,6 +93,16 @@ function assertMovie(bytes) {
   assert.ok(length / scale > 0.2, `it lasts ${length / scale} s`);
 }
 
+/** Whether it is a PNG of the 3D view's shape. */
+async function assertPicture(bytes, page) {
+  assert.equal(Buffer.from(bytes).toString('latin1', 1, 4), 'PNG');
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
+  const [width, height] = [view.getUint32(16), view.getUint32(20)];
+  const scene = await page.locator('.scene canvas').boundingBox();
+  assert.equal(Math.max(width, height), 1280);
+  assert.ok(Math.abs(width / height - scene.width / scene.height) < 0.02, `${width} x ${height}`);
+}
+
 async function walk(page, { name, file, worn }) {
   await page.locator('.rail, .start, .welcome').first().waitFor();
   await drop(page, `${name}.dxf`, readFileSync(file, 'utf8'));
@@ -124,7 +134,13 @@ async function walk(page, { name, file, worn }) {
   assert.deepEqual([cloth_body, cloth_cloth], [0, 0]);
   await page.getByRole('tab', { name: 'Result' }).click();
   await assertValidGlb(await download(page, page.locator('.downloads a[title="final.glb"]')));
-  await page.locator('.downloads button.movie').first().click();
+  await page.locator('.scene canvas').press('ArrowRight');
+  await page.getByRole('button', { name: /^Picture from here/ }).click();
+  const picture = page.locator('.stills a[download$=".png"]').first();
+  await picture.waitFor({ timeout: kDrape });
+  await shoot(page, `60-${name}-picture`);
+  await assertPicture(await download(page, picture), page);
+  await page.getByRole('button', { name: /^Movie of the drape/ }).click();
   const movie = page.locator('.downloads a[download$=".mp4"]').first();
   await movie.waitFor({ timeout: kDrape });
   assertMovie(await download(page, movie));

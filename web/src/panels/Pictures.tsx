@@ -26,7 +26,7 @@ const kFilm = 'drape.film';
 
 const isUnderWay = (order: StillOrder): boolean => order.state === 'queued' || order.state === 'making';
 
-export function wishFrom({ eye, target, angle, aspect }: Viewpoint, transparent: boolean): StillWish {
+function wishFrom({ eye, target, angle, aspect }: Viewpoint, transparent: boolean): StillWish {
   const width = Math.round(Math.min(kSide, kSide * aspect));
   const height = Math.round(Math.min(kSide, kSide / aspect));
   return { eye, target, angle, width, height, transparent };
