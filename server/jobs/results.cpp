@@ -51,12 +51,6 @@ render::Scene scene_of(const drape::DrapeInput& input, const drape::DrapeResult&
   return scene;
 }
 
-Status write_view(render::Stills& stills, const render::Scene& scene, render::View view,
-                  const render::StillSettings& settings, const fs::path& path) {
-  const render::Image image = TRY(stills.render(scene, view, settings));
-  return render::write_png(path, image);
-}
-
 Result<std::string> bytes_of(const fs::path& path) {
   if (auto bytes = read_file(path)) return std::move(*bytes);
   return Error{"export.read", "cannot read the file back", path.string(), ErrorKind::kInternal};
@@ -132,12 +126,14 @@ Status write_stills(render::Stills& stills, const drape::DrapeInput& input, cons
                     const RunContext& context) {
   const render::Scene scene = scene_of(input, result, textures);
   const render::StillSettings settings{.width = width, .height = height};
+  const std::unique_ptr<render::StagedScene> staged = TRY(stills.stage(scene));
   for (const auto& [view, name] :
        {std::pair{render::View::kFront, "front"}, std::pair{render::View::kBack, "back"},
         std::pair{render::View::kSide, "side"}, std::pair{render::View::kThreeQuarter, "three-quarter"}}) {
     if (context.cancelled())
       return Error{"cancelled", "the pictures are not wanted any more", "", ErrorKind::kCancelled};
-    TRY(write_view(stills, scene, view, settings, folder / (std::string(name) + ".png")));
+    const render::Image image = TRY(staged->picture(view, settings));
+    TRY(render::write_png(folder / (std::string(name) + ".png"), image));
   }
   return {};
 }
@@ -145,8 +141,10 @@ Status write_stills(render::Stills& stills, const drape::DrapeInput& input, cons
 Status write_thumbnail(render::Stills& stills, const drape::DrapeInput& input,
                        const drape::DrapeResult& result, const image::Textures& textures,
                        const fs::path& folder) {
-  return write_view(stills, scene_of(input, result, textures), render::View::kThreeQuarter,
-                    {.width = kThumbnailWidth, .height = kThumbnailHeight}, folder / "thumbnail.png");
+  const render::Image image =
+      TRY(stills.render(scene_of(input, result, textures), render::View::kThreeQuarter,
+                        {.width = kThumbnailWidth, .height = kThumbnailHeight}));
+  return render::write_png(folder / "thumbnail.png", image);
 }
 
 Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const fs::path& parent) {

@@ -10,7 +10,8 @@ inline constexpr int kSkyLights = kSkyTiles * kSkyTiles;  ///< directions from w
 extern const char* const kVersion;
 extern const char* const kDepthVertex;  ///< a surface into a shadow map
 extern const char* const kDepthFragment;
-extern const char* const kSky;            ///< soft light that reaches a vertex; goes before vertex shaders
+extern const char* const kSky;            ///< soft light that reaches a place; goes before kSkyVertex
+extern const char* const kSkyVertex;      ///< with "#define GROUND 1" or 0 before it
 extern const char* const kStudio;         ///< key shadow, backdrop, tone; goes before fragment shaders
 extern const char* const kSeams;          ///< seams, hems, stitches; goes before the cloth's fragment shader
 extern const char* const kOpenSeams;      ///< those that did not close; goes behind kSeams

@@ -1,21 +1,14 @@
 #include "server/render/shot.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
-
-#include "server/render/picture_texture.h"
-#include "server/render/shaders.h"
 
 namespace toile::render {
 namespace {
 
-constexpr int kKeyMapSide = 1280;     // texels; under 2 mm each around a person
-constexpr int kGroundCells = 64;      // a side
-constexpr double kGroundReach = 2.2;  // radius of caught shadows, of the scene's own
-constexpr float kSkyBlur = 5;         // texels of a sky map, on the ground
-constexpr float kBodySink = 0.002f;   // m; more than a coarse skin bulges through the cloth upon it
-constexpr GLint kKeyUnit = 0, kSkyUnit = 1, kPictureUnit = 2, kWeaveUnit = 3;
+constexpr int kKeyMapSide = 1280;    // texels; under 2 mm each around a person
+constexpr float kBodySink = 0.002f;  // m; more than a coarse skin bulges through the cloth upon it
+constexpr GLint kKeyUnit = 0, kPictureUnit = 1, kWeaveUnit = 2;
 
 void set(const GlFunctions& gl, GLint location, Vec3 v) {
   gl.Uniform3f(location, static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
@@ -27,81 +20,21 @@ Error failed() {
 
 }  // namespace
 
-Shot::Shot(const GlFunctions& gl, const Programs& programs, const Scene& scene, const Camera& camera)
+Shot::Shot(const GlFunctions& gl, const Programs& programs, const Stage& stage, const Camera& camera)
     : gl_(gl),
       programs_(programs),
-      scene_(scene),
+      stage_(stage),
       camera_(camera),
-      box_(whole_box(scene)),
-      lights_(studio(camera, box_)),
+      lamps_(lamps_for(camera, stage.box())),
       scope_(gl) {}
-
-void Shot::upload() {
-  ClothSurface cloth = cloth_surface(scene_.cloth);
-  cloth_ = upload_cloth(scope_, cloth);
-  runs_ = std::move(cloth.runs);
-  if (scene_.cloth.textures != nullptr) {
-    for (const auto& image : scene_.cloth.textures->images)
-      pictures_.push_back(upload_picture(scope_, image->read.picture));
-  }
-  for (const BodyView& body : scene_.bodies) {
-    bodies_.push_back(upload_indexed(scope_, body_vertices(*body.mesh), body.mesh->triangles, body.colour));
-  }
-  upload_ground();
-}
-
-/// A grid about the scene, since soft light is taken per vertex. It grows coarser outwards.
-void Shot::upload_ground() {
-  const Vec3 middle = box_.empty() ? Vec3{} : box_.middle();
-  const double reach = kGroundReach * (box_.empty() ? 0.5 : length(box_.size()) * 0.5);
-  const auto height = static_cast<float>(floor_height(scene_));
-  const auto along = [&](int i) {
-    const double s = 2.0 * i / kGroundCells - 1;
-    return reach * s * (0.3 + 0.7 * s * s);
-  };
-  std::vector<BodyVertex> vertices;
-  std::vector<Tri> triangles;
-  for (int j = 0; j <= kGroundCells; ++j) {
-    for (int i = 0; i <= kGroundCells; ++i) {
-      vertices.push_back(
-          {{static_cast<float>(middle.x + along(i)), height, static_cast<float>(middle.z + along(j))},
-           {0, 1, 0}});
-      if (i == kGroundCells || j == kGroundCells) continue;
-      const Index a = j * (kGroundCells + 1) + i, b = a + 1, c = a + kGroundCells + 1, d = c + 1;
-      triangles.push_back({a, c, b});
-      triangles.push_back({b, c, d});
-    }
-  }
-  ground_ = upload_indexed(scope_, vertices, triangles, {});
-}
-
-/// Bodies are closed: their lit side casts all of the shadow.
-void Shot::draw_casters() {
-  draw(gl_, cloth_);
-  gl_.Enable(GL_CULL_FACE);
-  for (const DrawnSurface& body : bodies_) draw(gl_, body);
-  gl_.Disable(GL_CULL_FACE);
-}
 
 void Shot::draw_key_map() {
   key_map_ = depth_map(scope_, kKeyMapSide);
   bind_depth_target(scope_, key_map_);
   gl_.Viewport(0, 0, kKeyMapSide, kKeyMapSide);
   programs_.depth.use();
-  gl_.UniformMatrix4fv(programs_.depth.at("light_matrix"), 1, GL_FALSE, lights_.key_matrix.data());
-  draw_casters();
-}
-
-void Shot::draw_sky_map() {
-  sky_map_ = depth_map(scope_, kSkyTileSide * shaders::kSkyTiles);
-  bind_depth_target(scope_, sky_map_);
-  programs_.depth.use();
-  for (int i = 0; i < shaders::kSkyLights; ++i) {
-    gl_.Viewport(i % shaders::kSkyTiles * kSkyTileSide, i / shaders::kSkyTiles * kSkyTileSide, kSkyTileSide,
-                 kSkyTileSide);
-    gl_.UniformMatrix4fv(programs_.depth.at("light_matrix"), 1, GL_FALSE, lights_.sky_matrices[i].data());
-    draw_casters();
-  }
+  gl_.UniformMatrix4fv(programs_.depth.at("light_matrix"), 1, GL_FALSE, lamps_.key_matrix.data());
+  stage_.draw_casters();
 }
 
 GLuint Shot::target(int width, int height, int samples) {
@@ -119,20 +52,14 @@ GLuint Shot::target(int width, int height, int samples) {
 }
 
 /// Uniforms that several programs share; those that a program does not have are ignored.
-void Shot::set_lights(const GlProgram& program, int width, int height) {
+void Shot::set_lamps(const GlProgram& program, int width, int height) {
   program.use();
-  gl_.UniformMatrix4fv(program.at("key_matrix"), 1, GL_FALSE, lights_.key_matrix.data());
-  set(gl_, program.at("key_light"), lights_.key);
-  set(gl_, program.at("fill_light"), lights_.fill);
-  set(gl_, program.at("rim_light"), lights_.rim);
+  gl_.UniformMatrix4fv(program.at("key_matrix"), 1, GL_FALSE, lamps_.key_matrix.data());
+  set(gl_, program.at("key_light"), lamps_.key);
+  set(gl_, program.at("fill_light"), lamps_.fill);
+  set(gl_, program.at("rim_light"), lamps_.rim);
   gl_.Uniform1i(program.at("key_map"), kKeyUnit);
   gl_.Uniform1f(program.at("key_texel"), 1.0f / kKeyMapSide);
-  gl_.Uniform1i(program.at("sky_map"), kSkyUnit);
-  gl_.UniformMatrix4fv(program.at("sky_matrix"), shaders::kSkyLights, GL_FALSE,
-                       lights_.sky_matrices[0].data());
-  gl_.Uniform4fv(program.at("sky_light"), shaders::kSkyLights, lights_.sky[0].data());
-  gl_.Uniform1f(program.at("sky_offset"), lights_.sky_offset);
-  gl_.Uniform1f(program.at("sky_blur"), kSkyBlur * lights_.sky_offset);
   gl_.Uniform4f(program.at("image_size"), static_cast<float>(width), static_cast<float>(height), 0, 0);
 }
 
@@ -155,13 +82,13 @@ void Shot::draw_cloth() {
   program.use();
   gl_.Uniform1f(program.at("sink"), 0);
   gl_.Uniform1i(program.at("picture"), kPictureUnit);
-  gl_.BindVertexArray(cloth_.vertex_array);
-  for (const ClothRun& run : runs_) {
+  gl_.BindVertexArray(stage_.cloth().vertex_array);
+  for (const ClothRun& run : stage_.runs()) {
     gl_.Uniform1i(program.at("pictured"), run.image == kNone ? 0 : 1);
     set_look(program, run.look);
     if (run.image != kNone) {
       gl_.ActiveTexture(GL_TEXTURE0 + kPictureUnit);
-      gl_.BindTexture(GL_TEXTURE_2D, pictures_[static_cast<std::size_t>(run.image)]);
+      gl_.BindTexture(GL_TEXTURE_2D, stage_.picture(run.image));
       gl_.ActiveTexture(GL_TEXTURE0);
     }
     const std::size_t first = sizeof(Index) * static_cast<std::size_t>(run.first);
@@ -177,18 +104,16 @@ void Shot::draw_picture(int width, int height, bool transparent) {
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl_.ActiveTexture(GL_TEXTURE0 + kKeyUnit);
   gl_.BindTexture(GL_TEXTURE_2D, key_map_);
-  gl_.ActiveTexture(GL_TEXTURE0 + kSkyUnit);
-  gl_.BindTexture(GL_TEXTURE_2D, sky_map_);
   gl_.ActiveTexture(GL_TEXTURE0);
   for (const GlProgram* program :
        {&programs_.cloth, &programs_.body, &programs_.ground, &programs_.backdrop}) {
-    set_lights(*program, width, height);
+    set_lamps(*program, width, height);
     set_viewer(*program);
   }
   draw_cloth();
   programs_.body.use();
-  gl_.Uniform1f(programs_.body.at("sink"), cloth_.count > 0 ? kBodySink : 0);
-  for (const DrawnSurface& body : bodies_) {
+  gl_.Uniform1f(programs_.body.at("sink"), stage_.cloth().count > 0 ? kBodySink : 0);
+  for (const DrawnSurface& body : stage_.bodies()) {
     set(gl_, programs_.body.at("body_colour"), {body.colour[0], body.colour[1], body.colour[2]});
     draw(gl_, body);
   }
@@ -200,18 +125,15 @@ void Shot::draw_picture(int width, int height, bool transparent) {
 
 void Shot::draw_ground(bool transparent) {
   programs_.ground.use();
-  const Vec3 middle = box_.empty() ? Vec3{} : box_.middle();
-  const double reach = kGroundReach * (box_.empty() ? 0.5 : length(box_.size()) * 0.5);
+  const Vec3 middle = stage_.middle();
   gl_.Uniform4f(programs_.ground.at("ground"), static_cast<float>(middle.x), static_cast<float>(middle.z),
-                static_cast<float>(reach), 0);
+                static_cast<float>(stage_.reach()), 0);
   gl_.Uniform1i(programs_.ground.at("shadow_only"), transparent ? 1 : 0);
-  draw(gl_, ground_);
+  draw(gl_, stage_.ground());
 }
 
 Result<std::vector<std::uint8_t>> Shot::take(int width, int height, int samples, bool transparent) {
-  upload();
   draw_key_map();
-  draw_sky_map();
   const GLuint drawn = target(width, height, samples);
   if (drawn == 0) return failed();
   draw_picture(width, height, transparent);

@@ -4,54 +4,43 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/aabb.h"
 #include "core/base/result.h"
 #include "server/render/camera.h"
 #include "server/render/gl/objects.h"
 #include "server/render/programs.h"
-#include "server/render/scene.h"
+#include "server/render/stage.h"
 #include "server/render/studio.h"
-#include "server/render/surface_vertices.h"
-#include "server/render/surfaces.h"
 
 namespace toile::render {
 
-/// One picture of a scene, drawn when it is taken. The context must be current as long as it lives.
+/// One picture of what is on a stage, drawn when it is taken. The context must be current as long as it
+/// lives.
 class Shot {
  public:
-  Shot(const GlFunctions& gl, const Programs& programs, const Scene& scene, const Camera& camera);
+  Shot(const GlFunctions& gl, const Programs& programs, const Stage& stage, const Camera& camera);
 
   /// RGBA, 8-bit sRGB, rows from the bottom. Error: "render.failed".
   /// With `transparent`, colours are multiplied by their opacity.
   Result<std::vector<std::uint8_t>> take(int width, int height, int samples, bool transparent);
 
  private:
-  void upload();
-  void upload_ground();
   void draw_key_map();
-  void draw_sky_map();
-  void draw_casters();
   void draw_cloth();
   void set_look(const GlProgram& program, const ClothLook& look);
   void draw_picture(int width, int height, bool transparent);
   void draw_ground(bool transparent);
-  void set_lights(const GlProgram& program, int width, int height);
+  void set_lamps(const GlProgram& program, int width, int height);
   void set_viewer(const GlProgram& program);
   /// 0 when OpenGL cannot make it.
   GLuint target(int width, int height, int samples);
 
   const GlFunctions& gl_;
   const Programs& programs_;
-  const Scene& scene_;
+  const Stage& stage_;
   const Camera& camera_;
-  Aabb3 box_;
-  Lights lights_;
+  Lamps lamps_;
   GlScope scope_;
-  DrawnSurface cloth_, ground_;
-  std::vector<DrawnSurface> bodies_;
-  std::vector<ClothRun> runs_;    // of the cloth
-  std::vector<GLuint> pictures_;  // as Textures::images
-  GLuint key_map_ = 0, sky_map_ = 0;
+  GLuint key_map_ = 0;
 };
 
 }  // namespace toile::render

@@ -5,6 +5,7 @@
 
 #include "server/render/picture_texture.h"
 #include "server/render/shot.h"
+#include "server/render/stage.h"
 
 namespace toile::render {
 namespace {
@@ -95,25 +96,56 @@ Result<std::unique_ptr<StillRenderer>> StillRenderer::create() {
   return std::unique_ptr<StillRenderer>(new StillRenderer(std::move(parts)));
 }
 
-Result<Image> StillRenderer::render(const Scene& scene, View view, const StillSettings& settings) {
-  TRY(check_settings(settings));
-  TRY(check_scene(scene));
-  return render(scene, frame_scene(scene, view, static_cast<double>(settings.width) / settings.height),
-                settings);
+struct StagedScene::Parts {
+  StillRenderer::Parts& renderer;
+  const Scene& scene;
+  Stage stage;
+};
+
+StagedScene::StagedScene(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+StagedScene::~StagedScene() {
+  // What is on the stage is deleted in the current context, which another renderer may have replaced.
+  static_cast<void>(parts_->renderer.context->make_current().ok());
 }
 
-Result<Image> StillRenderer::render(const Scene& scene, const Camera& camera, const StillSettings& settings) {
+Result<Image> StagedScene::picture(View view, const StillSettings& settings) const {
   TRY(check_settings(settings));
-  TRY(check_scene(scene));
-  TRY(parts_->context->make_current());
+  const double aspect = static_cast<double>(settings.width) / settings.height;
+  return picture(frame_scene(parts_->scene, view, aspect), settings);
+}
+
+Result<Image> StagedScene::picture(const Camera& camera, const StillSettings& settings) const {
+  TRY(check_settings(settings));
+  StillRenderer::Parts& renderer = parts_->renderer;
+  TRY(renderer.context->make_current());
   // Four samples more than OpenGL has are two by two pixels each.
-  const int factor = settings.samples > parts_->most_samples ? 2 : 1;
-  const int samples = std::clamp(settings.samples / (factor * factor), 1, parts_->most_samples);
-  Shot shot(parts_->context->gl(), parts_->programs, scene, camera);
+  const int factor = settings.samples > renderer.most_samples ? 2 : 1;
+  const int samples = std::clamp(settings.samples / (factor * factor), 1, renderer.most_samples);
+  Shot shot(renderer.context->gl(), renderer.programs, parts_->stage, camera);
   const auto rgba =
       TRY(shot.take(settings.width * factor, settings.height * factor, samples, settings.transparent));
   const Reduction reduction(rgba, settings.width, settings.height, factor);
   return settings.transparent ? reduction.with_opacity() : reduction.opaque();
+}
+
+Result<std::unique_ptr<StagedScene>> StillRenderer::stage(const Scene& scene) {
+  TRY(check_scene(scene));
+  TRY(parts_->context->make_current());
+  return std::unique_ptr<StagedScene>(new StagedScene(std::unique_ptr<StagedScene::Parts>(
+      new StagedScene::Parts{*parts_, scene, Stage(parts_->context->gl(), parts_->programs, scene)})));
+}
+
+Result<Image> StillRenderer::render(const Scene& scene, View view, const StillSettings& settings) {
+  TRY(check_settings(settings));
+  const std::unique_ptr<StagedScene> staged = TRY(stage(scene));
+  return staged->picture(view, settings);
+}
+
+Result<Image> StillRenderer::render(const Scene& scene, const Camera& camera, const StillSettings& settings) {
+  TRY(check_settings(settings));
+  const std::unique_ptr<StagedScene> staged = TRY(stage(scene));
+  return staged->picture(camera, settings);
 }
 
 Status Stills::make_renderer() {
@@ -121,6 +153,11 @@ Status Stills::make_renderer() {
   std::unique_ptr<StillRenderer> made = TRY(StillRenderer::create());
   renderer_ = std::move(made);
   return {};
+}
+
+Result<std::unique_ptr<StagedScene>> Stills::stage(const Scene& scene) {
+  TRY(make_renderer());
+  return renderer_->stage(scene);
 }
 
 Result<Image> Stills::render(const Scene& scene, View view, const StillSettings& settings) {

@@ -27,6 +27,26 @@ struct StillSettings {
 /// Error: "render.settings".
 Status check_settings(const StillSettings& settings);
 
+class Stage;
+
+/// A scene made ready for pictures from anywhere, which share its soft light: the second takes half the time
+/// of the first. The scene and the renderer must outlive it; of one thread's renderer one alone draws at a
+/// time.
+class StagedScene {
+ public:
+  ~StagedScene();
+  /// Errors: "render.settings", "render.failed" (OpenGL is out of memory).
+  Result<Image> picture(View view, const StillSettings& settings = {}) const;
+  /// The same from any camera; its aspect must fit the settings' width and height.
+  Result<Image> picture(const Camera& camera, const StillSettings& settings = {}) const;
+
+ private:
+  friend class StillRenderer;
+  struct Parts;
+  explicit StagedScene(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
 /// Holds the OpenGL context and programs from one picture to the next: the first takes about half a second
 /// more. Belongs to one thread.
 class StillRenderer {
@@ -35,12 +55,14 @@ class StillRenderer {
   static Result<std::unique_ptr<StillRenderer>> create();
   ~StillRenderer();
 
-  /// Errors: "render.settings", those of check_scene, "render.failed" (OpenGL is out of memory).
+  /// Errors: those of check_scene; "render.no_context".
+  Result<std::unique_ptr<StagedScene>> stage(const Scene& scene);
+  /// A single picture. Errors: those of stage() and StagedScene.
   Result<Image> render(const Scene& scene, View view, const StillSettings& settings = {});
-  /// The same from any camera; its aspect must fit the settings' width and height.
   Result<Image> render(const Scene& scene, const Camera& camera, const StillSettings& settings = {});
 
  private:
+  friend class StagedScene;
   struct Parts;
   explicit StillRenderer(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
@@ -50,6 +72,7 @@ class StillRenderer {
 class Stills {
  public:
   /// Errors: as above.
+  Result<std::unique_ptr<StagedScene>> stage(const Scene& scene);
   Result<Image> render(const Scene& scene, View view, const StillSettings& settings = {});
   Result<Image> render(const Scene& scene, const Camera& camera, const StillSettings& settings = {});
 

@@ -23,7 +23,10 @@ void fill_buffer(GlScope& scope, GLenum target, const std::vector<T>& data) {
 
 DrawnSurface upload_cloth(GlScope& scope, const ClothSurface& cloth) {
   const GlFunctions& gl = scope.gl();
-  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(3 * cloth.triangles.size()), {}};
+  DrawnSurface surface{scope.vertex_array(),
+                       static_cast<GLsizei>(cloth.vertices.size()),
+                       static_cast<GLsizei>(3 * cloth.triangles.size()),
+                       {}};
   gl.BindVertexArray(surface.vertex_array);
   fill_buffer(scope, GL_ARRAY_BUFFER, cloth.vertices);
   fill_buffer(scope, GL_ELEMENT_ARRAY_BUFFER, cloth.triangles);
@@ -43,7 +46,8 @@ DrawnSurface upload_cloth(GlScope& scope, const ClothSurface& cloth) {
 DrawnSurface upload_indexed(GlScope& scope, const std::vector<BodyVertex>& vertices,
                             const std::vector<Tri>& triangles, LinearRgb colour) {
   const GlFunctions& gl = scope.gl();
-  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(triangles.size() * 3), colour};
+  DrawnSurface surface{scope.vertex_array(), static_cast<GLsizei>(vertices.size()),
+                       static_cast<GLsizei>(triangles.size() * 3), colour};
   gl.BindVertexArray(surface.vertex_array);
   fill_buffer(scope, GL_ARRAY_BUFFER, vertices);
   fill_buffer(scope, GL_ELEMENT_ARRAY_BUFFER, triangles);
@@ -56,6 +60,26 @@ void draw(const GlFunctions& gl, const DrawnSurface& surface) {
   if (surface.count == 0) return;
   gl.BindVertexArray(surface.vertex_array);
   gl.DrawElements(GL_TRIANGLES, surface.count, GL_UNSIGNED_INT, nullptr);
+}
+
+void add_sky(GlScope& scope, const DrawnSurface& surface) {
+  constexpr GLuint kSky = 9;  // as surface_vertex.glsl and ground_vertex.glsl have it
+  constexpr std::size_t kSize = 2 * sizeof(float);
+  if (surface.vertices == 0) return;
+  const GlFunctions& gl = scope.gl();
+  const GLuint found = scope.buffer();
+  gl.BindBuffer(GL_ARRAY_BUFFER, found);
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(kSize) * surface.vertices, nullptr, GL_STATIC_DRAW);
+  gl.BindVertexArray(surface.vertex_array);
+  gl.Enable(GL_RASTERIZER_DISCARD);
+  gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, found);
+  gl.BeginTransformFeedback(GL_POINTS);
+  gl.DrawArrays(GL_POINTS, 0, surface.vertices);
+  gl.EndTransformFeedback();
+  gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  gl.Disable(GL_RASTERIZER_DISCARD);
+  gl.BindBuffer(GL_ARRAY_BUFFER, found);
+  attribute(gl, kSky, 2, kSize, 0);
 }
 
 GLuint depth_map(GlScope& scope, int side) {

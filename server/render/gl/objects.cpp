@@ -63,15 +63,36 @@ Result<GlProgram> GlProgram::link(const GlFunctions& gl, const std::vector<const
     return Error{"render.shader", "a fragment shader does not compile: " + log, "", ErrorKind::kInternal};
   }
   GlProgram program(gl, gl.CreateProgram());
-  for (const GLuint shader : {vertex_shader, fragment_shader}) {
-    gl.AttachShader(program.name_, shader);
-    gl.DeleteShader(shader);  // lives on as long as the program
-  }
-  gl.LinkProgram(program.name_);
-  GLint fine = 0;
-  gl.GetProgramiv(program.name_, GL_LINK_STATUS, &fine);
-  if (!fine) return Error{"render.shader", "a shader program does not link", "", ErrorKind::kInternal};
+  program.attach(vertex_shader);
+  program.attach(fragment_shader);
+  TRY(program.link());
   return program;
+}
+
+Result<GlProgram> GlProgram::link_capturing(const GlFunctions& gl, const std::vector<const char*>& vertex,
+                                            const char* captured) {
+  std::string log;
+  const GLuint shader = compiled(gl, GL_VERTEX_SHADER, vertex, log);
+  if (shader == 0)
+    return Error{"render.shader", "a vertex shader does not compile: " + log, "", ErrorKind::kInternal};
+  GlProgram program(gl, gl.CreateProgram());
+  program.attach(shader);
+  gl.TransformFeedbackVaryings(program.name_, 1, &captured, GL_INTERLEAVED_ATTRIBS);
+  TRY(program.link());
+  return program;
+}
+
+void GlProgram::attach(GLuint shader) {
+  gl_->AttachShader(name_, shader);
+  gl_->DeleteShader(shader);  // lives on as long as the program
+}
+
+Status GlProgram::link() {
+  gl_->LinkProgram(name_);
+  GLint fine = 0;
+  gl_->GetProgramiv(name_, GL_LINK_STATUS, &fine);
+  if (fine) return {};
+  return Error{"render.shader", "a shader program does not link", "", ErrorKind::kInternal};
 }
 
 GlProgram::GlProgram(GlProgram&& other) noexcept : gl_(other.gl_), name_(std::exchange(other.name_, 0)) {}

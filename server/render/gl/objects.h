@@ -37,6 +37,9 @@ class GlProgram {
   /// driver's.
   static Result<GlProgram> link(const GlFunctions& gl, const std::vector<const char*>& vertex,
                                 const std::vector<const char*>& fragment);
+  /// One that draws nothing, and hands on what its vertex shader calls `captured` (transform feedback).
+  static Result<GlProgram> link_capturing(const GlFunctions& gl, const std::vector<const char*>& vertex,
+                                          const char* captured);
   GlProgram(GlProgram&& other) noexcept;
   GlProgram& operator=(GlProgram&&) = delete;
   ~GlProgram();
@@ -47,6 +50,8 @@ class GlProgram {
 
  private:
   GlProgram(const GlFunctions& gl, GLuint name) : gl_(&gl), name_(name) {}
+  void attach(GLuint shader);
+  Status link();
   const GlFunctions* gl_;
   GLuint name_;
 };

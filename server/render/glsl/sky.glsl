@@ -1,5 +1,6 @@
 // Each sky light has its own small depth map. Light that comes from all over is their sum, taken per vertex:
-// the meshes are fine enough for soft light, and 25 look-ups per pixel would be too dear on a processor.
+// the meshes are fine enough for soft light, and 25 look-ups per pixel would be too dear on a processor. It
+// does not turn with the camera: a scene's pictures share it.
 uniform mat4 sky_matrix[SKY_LIGHTS];
 uniform vec4 sky_light[SKY_LIGHTS];   // towards the light; w: its share
 uniform sampler2DShadow sky_map;

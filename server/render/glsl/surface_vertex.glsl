@@ -1,5 +1,6 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+layout(location = 9) in vec2 sky;
 #if CLOTH
 layout(location = 2) in vec3 colour;
 layout(location = 3) in vec2 rest;
@@ -29,7 +30,7 @@ void main() {
   v_bend_square = normal * normal;
   v_bend_cross = normal * normal.yzx;
   v_bend_from = normal * dot(normal, position);
-  v_sky = sky_light_at(position, normal);
+  v_sky = sky;
 #if CLOTH
   v_colour = colour;
   v_rest = rest;
