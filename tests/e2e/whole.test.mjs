@@ -64,7 +64,7 @@ async function hold(page, id) {
 /** A piece's first edge grows by three millimetres, typed; gives the drape that goes on with it. */
 async function edit(page, before) {
   await page.getByRole('tab', { name: 'Pattern', exact: true }).click();
-  await page.locator('.piece-cloth').first().click();
+  await page.locator('.piece-cloth').first().click({ force: true }); // lines that are drawn on it may lie over its middle
   await page.locator('.edge-chips button').first().click();
   const field = page.getByRole('textbox', { name: /^Length/ }).first();
   await field.fill(String(Number((await field.inputValue()).replace(',', '')) + 3));
