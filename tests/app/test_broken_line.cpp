@@ -140,11 +140,11 @@ TEST_F(BrokenLine, SaysWhereTheDrapeGoesOnWhenItsPatienceEnds) {
     ran = run_toile(
         {"submit", napkin / "project.json", "--server", server->url(), "--watch", "--patience", "1"}, 300);
   });
-  // Before it watches it may not know yet which job its request made.
-  const auto watched = [&] {
-    return server->get("/metrics").body.find("toile_viewers 1") != std::string::npos;
+  // Long after the answer that tells the client which job its request made.
+  const auto drapes = [&] {
+    return server->get("/api/v1/jobs?state=running").body.find("\"phase\": \"drape\"") != std::string::npos;
   };
-  for (int waited = 0; waited < 4000 && !watched(); ++waited)
+  for (int waited = 0; waited < 4000 && !drapes(); ++waited)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const std::string job = newest_job(*server);
   EXPECT_EQ(server->end(SIGKILL), -SIGKILL);
