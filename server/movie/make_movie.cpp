@@ -92,32 +92,35 @@ Swept swept_by_turn(const Film& film, Vec3 middle) {
 /// Where each picture is taken from, and of what.
 class Shots {
  public:
-  Shots(const Film& film, const MovieSettings& settings) : film_(film), settings_(settings) {
-    const render::Scene end = scene_of(film, film.end);
-    const Aabb3 box = render::cloth_box(end);
+  Shots(const Film& film, const MovieSettings& settings)
+      : film_(film), settings_(settings), end_(scene_of(film, film.end)) {
+    const Aabb3 box = render::cloth_box(end_);
     middle_ = box.empty() ? Vec3{} : box.middle();
     const bool turns = settings.kind == MovieKind::kTurntable;
     const Swept swept = turns ? swept_by_turn(film, middle_) : swept_by_drape(film);
     const render::Scene seen = swept.scene();
     floor_ = render::floor_height(seen);
+    end_.floor = floor_;
     camera_ = render::frame_scene(seen, turns ? render::View::kFront : render::View::kThreeQuarter,
                                   static_cast<double>(settings.width) / settings.height);
   }
 
-  Result<render::Image> take(render::StillRenderer& renderer, int picture) const {
-    const bool turns = settings_.kind == MovieKind::kTurntable;
-    const double time = turns ? 0 : time_of(film_, settings_, picture);
-    const std::vector<Vec3> positions = turns ? film_.end : positions_at(film_.motion, time);
-    render::Scene scene = scene_of(film_, positions);
+  Result<render::Image> take(render::StillRenderer& renderer, int picture) {
+    const render::StillSettings settings{.width = settings_.width, .height = settings_.height};
+    if (settings_.kind == MovieKind::kTurntable) {
+      if (!staged_) staged_ = TRY(renderer.stage(end_));
+      return staged_->picture(turned_camera(picture), settings);
+    }
+    const double time = time_of(film_, settings_, picture);
+    render::Scene scene = scene_of(film_, positions_at(film_.motion, time));
     std::vector<geometry::TriangleMesh> moving;  // as long as the scene
-    if (!turns && !film_.ways.empty()) {
+    if (!film_.ways.empty()) {
       moving = bodies_at(film_, played_at(film_.motion, time));
       scene.bodies.clear();
       for (const geometry::TriangleMesh& body : moving) scene.bodies.push_back({.mesh = &body});
     }
     scene.floor = floor_;
-    return renderer.render(scene, turns ? turned_camera(picture) : camera_,
-                           {.width = settings_.width, .height = settings_.height});
+    return renderer.render(scene, camera_, settings);
   }
 
  private:
@@ -132,6 +135,8 @@ class Shots {
 
   const Film& film_;
   const MovieSettings& settings_;
+  render::Scene end_;
+  std::unique_ptr<render::StagedScene> staged_;  // the end, once it is asked for; its bodies do not move
   Vec3 middle_;
   double floor_ = 0;  // m; the lowest of all moments, so that the ground stays
   render::Camera camera_;
@@ -193,7 +198,7 @@ Status make_movie(const Film& film, const MovieSettings& settings, const std::fi
   const std::unique_ptr<VideoFile> file =
       TRY(VideoFile::open(path, {settings.format, settings.width, settings.height, settings.fps, count}));
   const std::unique_ptr<render::StillRenderer> renderer = TRY(render::StillRenderer::create());
-  const Shots shots(film, settings);
+  Shots shots(film, settings);
   render::Image image;
   double shown = -1;
   for (int picture = 0; picture < count; ++picture) {

@@ -236,6 +236,17 @@ class Contract : public Served {
     recorded("DELETE", place);
   }
 
+  /// The list of what was asked for, once something of it is made or has failed.
+  std::string listed_once_made(const std::string& place) {
+    for (int waited = 0; waited < 600; ++waited) {
+      const std::string listed = get(place).body;
+      if (listed.find("\"made\"") != std::string::npos || listed.find("\"failed\"") != std::string::npos)
+        break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return recorded("GET", place).body;
+  }
+
   /// Made, or failed where ffmpeg is not installed.
   void record_movies(const std::string& address) {
     const std::string place = address + "/movies";
@@ -247,14 +258,7 @@ class Contract : public Served {
     recorded("POST", place, other, kJson);
     recorded("DELETE", place + "/turntable-64x80-3-1s.mp4");
     recorded("DELETE", place + "/nothing.mp4");
-    std::string listed;
-    for (int waited = 0; waited < 600; ++waited) {
-      listed = get(place).body;
-      if (listed.find("\"made\"") != std::string::npos || listed.find("\"failed\"") != std::string::npos)
-        break;
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-    recorded("GET", place);
+    const std::string listed = listed_once_made(place);
     if (listed.find("\"made\"") == std::string::npos) {
       EXPECT_NE(listed.find("movie.no_ffmpeg"), std::string::npos) << listed;
       return;
@@ -263,7 +267,6 @@ class Contract : public Served {
     EXPECT_EQ(recorded("GET", address + "/results/turntable-64x80-2-1s.mp4").status, 200);
   }
 
-  /// Taken, or failed where OpenGL is missing.
   void record_stills(const std::string& address) {
     const std::string place = address + "/stills", near = R"({"eye": [0, 1, 3], "width": 64, "height": 80})";
     for (const char* wrong : {R"({"view": "below"})", R"({"width": 9999})", R"({"map": "warmth"})",
@@ -274,14 +277,7 @@ class Contract : public Served {
     recorded("POST", place, R"({"view": "front", "width": 64, "height": 80})", kJson);
     recorded("DELETE", place + "/still-front-64x80.png");
     recorded("DELETE", place + "/nothing.png");
-    std::string listed;
-    for (int waited = 0; waited < 600; ++waited) {
-      listed = get(place).body;
-      if (listed.find("\"made\"") != std::string::npos || listed.find("\"failed\"") != std::string::npos)
-        break;
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-    recorded("GET", place);
+    const std::string listed = listed_once_made(place);
     EXPECT_NE(listed.find("\"made\""), std::string::npos) << listed;
     EXPECT_EQ(recorded("POST", place, near, kJson).status, 200);
   }

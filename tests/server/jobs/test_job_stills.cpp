@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
-#include <vector>
 
 #include "server/movie/film_codec.h"
+#include "tests/server/jobs/ended_order.h"
 #include "tests/server/jobs/fake_store.h"
 #include "tests/server/movie/napkin_film.h"
 
@@ -41,17 +39,6 @@ class StillsOfJobs : public testing::Test {
     wish.settings = {.width = 64, .height = 80};
     return wish;
   }
-  static jobs::Order ended(jobs::JobStills& stills, const std::string& job, const std::string& name) {
-    for (int waited = 0; waited < 2000; ++waited) {
-      const std::vector<jobs::Order> told = stills.of_job(kAnn, job).value();
-      for (const jobs::Order& order : told)
-        if (order.name == name &&
-            (order.state == jobs::OrderState::kMade || order.state == jobs::OrderState::kFailed))
-          return order;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return {};
-  }
   test::FakeStore store;
 };
 
@@ -60,7 +47,7 @@ TEST_F(StillsOfJobs, AreTakenWhenTheyAreAskedForAndKept) {
   jobs::JobStills stills(store);
   const jobs::Order asked = stills.ask(kAnn, job, small(render::View::kFront)).value();
   EXPECT_EQ(asked.name, "still-front-64x80.png");
-  ASSERT_EQ(ended(stills, job, asked.name).state, jobs::OrderState::kMade);
+  ASSERT_EQ(test::ended_order(stills, kAnn, job, asked.name).state, jobs::OrderState::kMade);
   const std::string bytes = store.result_bytes(kAnn, job, asked.name).value();
   EXPECT_EQ(bytes.substr(1, 3), "PNG");
   EXPECT_EQ(stills.ask(kAnn, job, small(render::View::kFront)).value().state, jobs::OrderState::kMade);
@@ -75,7 +62,7 @@ TEST_F(StillsOfJobs, FromElsewhereAreOtherPictures) {
   EXPECT_NE(jobs::still_name(near), jobs::still_name(far));
   for (const movie::StillWish& wish : {near, far}) ASSERT_TRUE(stills.ask(kAnn, job, wish));
   for (const movie::StillWish& wish : {near, far})
-    ASSERT_EQ(ended(stills, job, jobs::still_name(wish)).state, jobs::OrderState::kMade);
+    ASSERT_EQ(test::ended_order(stills, kAnn, job, jobs::still_name(wish)).state, jobs::OrderState::kMade);
   EXPECT_NE(store.result_bytes(kAnn, job, jobs::still_name(near)).value(),
             store.result_bytes(kAnn, job, jobs::still_name(far)).value());
 }
@@ -98,7 +85,7 @@ TEST_F(StillsOfJobs, ColouredByAMapThatIsMissingSayWhy) {
   movie::StillWish wish = small(render::View::kFront);
   wish.map = "ease";
   ASSERT_TRUE(stills.ask(kAnn, damaged, wish));
-  const jobs::Order failed = ended(stills, damaged, jobs::still_name(wish));
+  const jobs::Order failed = test::ended_order(stills, kAnn, damaged, jobs::still_name(wish));
   ASSERT_TRUE(failed.error);
   EXPECT_EQ(failed.error->code, "map.damaged");
 }

@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <future>
-#include <thread>
 
 #include "core/base/run_child.h"
 #include "server/movie/film_codec.h"
+#include "tests/server/jobs/ended_order.h"
 #include "tests/server/jobs/fake_store.h"
 #include "tests/server/movie/napkin_film.h"
 
@@ -42,19 +41,6 @@ class JobMovies : public testing::Test {
   static movie::MovieSettings turn(int fps) {
     return {.kind = movie::MovieKind::kTurntable, .width = 64, .height = 80, .fps = fps, .seconds = 1};
   }
-  /// How it stands once it is neither waiting nor being made.
-  static jobs::Order ended(jobs::Movies& movies, const store::RequestContext& owner, const std::string& job,
-                           const std::string& name) {
-    for (int waited = 0; waited < 2000; ++waited) {
-      const std::vector<jobs::Order> told = movies.of_job(owner, job).value();
-      for (const jobs::Order& order : told) {
-        const bool over = order.state == jobs::OrderState::kMade || order.state == jobs::OrderState::kFailed;
-        if (order.name == name && over) return order;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return {};
-  }
   test::FakeStore store;
 };
 
@@ -63,7 +49,7 @@ TEST_F(JobMovies, AreMadeWhenTheyAreAskedForAndKept) {
   jobs::Movies movies(store);
   const jobs::Order asked = movies.ask(kAnn, job, turn(2)).value();
   EXPECT_EQ(asked.name, "turntable-64x80-2-1s.mp4");
-  EXPECT_EQ(ended(movies, kAnn, job, asked.name).state, jobs::OrderState::kMade);
+  EXPECT_EQ(test::ended_order(movies, kAnn, job, asked.name).state, jobs::OrderState::kMade);
   EXPECT_EQ(store.result_bytes(kAnn, job, asked.name).value().substr(4, 4), "ftyp");
   EXPECT_EQ(movies.ask(kAnn, job, turn(2)).value().state, jobs::OrderState::kMade);
   EXPECT_EQ(movies.of_job(kAnn, job).value().size(), 1u);
@@ -90,7 +76,7 @@ TEST_F(JobMovies, AreMadeByTurnsOfOwners) {
   for (const int fps : {1, 2, 3}) ASSERT_TRUE(movies.ask(kAnn, anns, turn(fps)));
   ASSERT_TRUE(movies.ask(kBob, bobs, turn(4)));
   all_asked.set_value();
-  ended(movies, kAnn, anns, jobs::movie_name(turn(3)));
+  test::ended_order(movies, kAnn, anns, jobs::movie_name(turn(3)));
   ASSERT_EQ(made.size(), 4u);
   EXPECT_EQ(made[1], jobs::movie_name(turn(4))) << "Bob waits for one of Ann's, not for all";
 }
@@ -101,13 +87,13 @@ TEST_F(JobMovies, ThatFailSaySoHurtNobodyAndAreTriedAgainWhenAskedForAgain) {
   ::setenv("PATH", "/nonexistent", 1);
   jobs::Movies movies(store);
   const std::string name = movies.ask(kAnn, job, turn(2)).value().name;
-  const jobs::Order failed = ended(movies, kAnn, job, name);
+  const jobs::Order failed = test::ended_order(movies, kAnn, job, name);
   ::setenv("PATH", path.c_str(), 1);
   ASSERT_TRUE(failed.error);
   EXPECT_EQ(failed.error->code, "movie.no_ffmpeg");
   EXPECT_EQ(store.job(kAnn, job).value().state, store::JobState::kSucceeded);
   EXPECT_EQ(movies.ask(kAnn, job, turn(2)).value().state, jobs::OrderState::kQueued);
-  EXPECT_EQ(ended(movies, kAnn, job, name).state, jobs::OrderState::kMade);
+  EXPECT_EQ(test::ended_order(movies, kAnn, job, name).state, jobs::OrderState::kMade);
 }
 
 TEST_F(JobMovies, AreTriedOnceMoreWhereTheMachineIsAtFault) {
@@ -119,7 +105,7 @@ TEST_F(JobMovies, AreTriedOnceMoreWhereTheMachineIsAtFault) {
   };
   jobs::Movies movies(store);
   const std::string name = movies.ask(kAnn, job, turn(2)).value().name;
-  EXPECT_EQ(ended(movies, kAnn, job, name).state, jobs::OrderState::kMade);
+  EXPECT_EQ(test::ended_order(movies, kAnn, job, name).state, jobs::OrderState::kMade);
   EXPECT_EQ(tries, 2);
 }
 
@@ -147,7 +133,7 @@ TEST_F(JobMovies, AreTakenBack) {
   EXPECT_TRUE(movies.cancel(kAnn, job, jobs::movie_name(turn(2))));
   EXPECT_EQ(movies.cancel(kAnn, job, jobs::movie_name(turn(3))).error().code, "store.not_found");
   go.set_value();
-  EXPECT_EQ(ended(movies, kAnn, job, jobs::movie_name(turn(1))).state, jobs::OrderState::kMade);
+  EXPECT_EQ(test::ended_order(movies, kAnn, job, jobs::movie_name(turn(1))).state, jobs::OrderState::kMade);
   EXPECT_EQ(movies.of_job(kAnn, job).value().size(), 1u);
 }
 
