@@ -58,6 +58,7 @@ Film film_of(const drape::DrapeInput& input, const drape::DrapeResult& result,
 
 /// The film's things with the cloth at `positions` (m). Refers to both.
 render::Scene scene_of(const Film& film, std::span<const Vec3> positions);
+render::Scene scene_of(const Film& film, std::vector<Vec3>&& positions) = delete;  // they would be gone
 
 /// The bodies so many s into their motion.
 std::vector<geometry::TriangleMesh> bodies_at(const Film& film, double played);

@@ -112,7 +112,8 @@ class Shots {
       return staged_->picture(turned_camera(picture), settings);
     }
     const double time = time_of(film_, settings_, picture);
-    render::Scene scene = scene_of(film_, positions_at(film_.motion, time));
+    const std::vector<Vec3> positions = positions_at(film_.motion, time);
+    render::Scene scene = scene_of(film_, positions);
     std::vector<geometry::TriangleMesh> moving;  // as long as the scene
     if (!film_.ways.empty()) {
       moving = bodies_at(film_, played_at(film_.motion, time));

@@ -76,7 +76,7 @@ TEST_F(MakeMovie, EndsWhenItIsCancelled) {
   context.on_progress = [&](const Progress& progress) { cancel = progress.fraction > 0.1; };
   const Status made = movie::make_movie(test::napkin_film(), kSmall, folder / "movie", context);
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().kind, ErrorKind::kCancelled);
+  EXPECT_EQ(made.error().kind, ErrorKind::kCancelled) << to_string(made.error());
 }
 
 TEST_F(MakeMovie, SaysWhichPackageBringsFfmpegWhereThereIsNone) {
