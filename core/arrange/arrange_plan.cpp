@@ -43,6 +43,29 @@ std::vector<bool> hang_on_arms(const GarmentGraph& graph) {
   return on_arm;
 }
 
+/// Collars that are sewn to the front and to the back: they lie around the neck, open or not, and so does a
+/// collar that is sewn to such a one more than to anything else.
+std::vector<bool> go_around_neck(const GarmentGraph& graph) {
+  const std::size_t count = graph.pieces.size();
+  std::vector<bool> front(count), back(count), around(count);
+  const auto each_tie = [&](auto visit) {
+    for (const GarmentTie& t : graph.ties) {
+      if (t.a == t.b) continue;
+      if (graph.pieces[t.a].cover == Cover::kCollar) visit(t.a, t.b);
+      if (graph.pieces[t.b].cover == Cover::kCollar) visit(t.b, t.a);
+    }
+  };
+  each_tie([&](Index collar, Index other) {
+    if (graph.pieces[other].face > 0) front[collar] = true;
+    if (graph.pieces[other].face < 0) back[collar] = true;
+  });
+  for (std::size_t p = 0; p < count; ++p) around[p] = front[p] && back[p];
+  std::vector<int> upon(count);
+  each_tie([&](Index collar, Index other) { upon[collar] += around[other] ? 1 : -1; });
+  for (std::size_t p = 0; p < count; ++p) around[p] = around[p] || upon[p] > 0;
+  return around;
+}
+
 /// The trunk's pieces on their sheets, clear of each other, legs over legs.
 Result<FlatLayout> trunk_layout(GarmentGraph& graph, const std::vector<Index>& trunk,
                                 const BodyStand& stand) {
@@ -91,6 +114,7 @@ ArmPieces arm_pieces_of(const GarmentGraph& graph, const std::vector<Index>& on_
 PieceRoles roles_of(const GarmentGraph& graph) {
   PieceRoles roles;
   const std::vector<bool> on_arm = hang_on_arms(graph);
+  const std::vector<bool> around_neck = go_around_neck(graph);
   roles.gores = gore_ring(graph, on_arm);
   const auto is_gore = [&](Index p) {
     return std::any_of(roles.gores.begin(), roles.gores.end(), [&](const Gore& g) { return g.piece == p; });
@@ -101,7 +125,7 @@ PieceRoles roles_of(const GarmentGraph& graph) {
       roles.on_arms.push_back(p);
     } else if (piece.cover == Cover::kHood) {
       roles.hoods.push_back(p);
-    } else if (piece.tube) {
+    } else if (piece.tube || around_neck[p]) {
       roles.bands.push_back(p);
     } else if (!is_gore(p)) {
       roles.trunk.push_back(p);

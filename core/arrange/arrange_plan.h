@@ -19,7 +19,7 @@ struct PieceRoles {
   std::vector<Index> trunk;    ///< on the two sheets before and behind the body
   std::vector<Index> on_arms;  ///< sleeves and what is sewn to them
   std::vector<Index> hoods;
-  std::vector<Index> bands;  ///< they close in themselves around trunk or neck
+  std::vector<Index> bands;  ///< they close in themselves around trunk or neck, or are collars all around it
   std::vector<Gore> gores;   ///< around the body in a ring
 };
 PieceRoles roles_of(const GarmentGraph& graph);

@@ -282,7 +282,8 @@ std::optional<Vec2> Arranger::mean_tie_on_trunk(Index piece) const {
   int count = 0;
   for (const GarmentTie& t : plan_.graph.ties) {
     const Index other = t.a == piece ? t.b : t.b == piece ? t.a : kNone;
-    if (other == kNone || other == piece || !plan_.layout.has(other)) continue;
+    if (other == kNone || other == piece || !plan_.layout.has(other) || !tells_of_band(piece, other))
+      continue;
     sum = sum + plan_.layout.pose[other](t.a == piece ? t.at_b : t.at_a);
     ++count;
   }

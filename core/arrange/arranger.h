@@ -52,8 +52,11 @@ class Arranger {
   FlatLayout lay_limb(measure::BodySide side, double out) const;
   bool covers_trunk(const FlatLayout& flat, double rise) const;
   FlatMove hood_pose(Index piece, measure::BodySide side, double rise) const;
+  bool tells_of_band(Index piece, Index other) const;
   double angle_of_band(Index piece, const sewing::WrappedPlacement& w) const;
   sewing::WrappedPlacement band_around(Index piece, double rise) const;
+  std::optional<sewing::WrappedPlacement> band_upon(Index piece, const std::vector<Placed>& places) const;
+  void hang_by(Vec2 sewn, bool downwards, Index piece, sewing::WrappedPlacement& w) const;
   std::optional<Vec2> mean_tie_on_trunk(Index piece) const;
 
   // The places of each kind of piece; `rise`: m, added to heights on the sheet.

@@ -76,6 +76,14 @@ FlatMove Arranger::hood_pose(Index p, measure::BodySide side, double rise) const
   return pose;
 }
 
+/// Whether a strip's stitches to the other piece say how it stands. A collar that is open in front has its
+/// middle behind, and there alone no end of it is sewn.
+bool Arranger::tells_of_band(Index piece, Index other) const {
+  const bool open_collar =
+      plan_.graph.pieces[piece].cover == Cover::kCollar && !plan_.graph.pieces[piece].tube;
+  return !open_collar || plan_.graph.pieces[other].face < 0;
+}
+
 /// The angle at which the strip's stitches stand nearest to those that they are sewn to, radians.
 double Arranger::angle_of_band(Index piece, const sewing::WrappedPlacement& w) const {
   const double c = std::cos(w.turn), s = std::sin(w.turn);
@@ -83,7 +91,8 @@ double Arranger::angle_of_band(Index piece, const sewing::WrappedPlacement& w) c
   for (const GarmentTie& t : plan_.graph.ties) {
     const bool first = t.a == piece;
     const Index other = first ? t.b : t.b == piece ? t.a : kNone;
-    if (other == kNone || other == piece || !plan_.layout.has(other)) continue;
+    if (other == kNone || other == piece || !plan_.layout.has(other) || !tells_of_band(piece, other))
+      continue;
     const Vec2 there = plan_.layout.pose[other](first ? t.at_b : t.at_a);
     const Vec2 d = (first ? t.at_a : t.at_b) - w.anchor;
     const double along = (c * d.x - s * d.y) * (w.flipped ? -1 : 1);
@@ -95,16 +104,56 @@ double Arranger::angle_of_band(Index piece, const sewing::WrappedPlacement& w) c
 }
 
 /// Strips that close in themselves go around the trunk, or the neck, at the height of what they are sewn to;
-/// a collar as much higher as the neck is slimmer there.
+/// a collar as much higher as the neck is slimmer there. What is sewn to such a strip alone goes around it.
 std::vector<Arranger::Placed> Arranger::band_places(double rise) const {
   std::vector<Placed> places;
-  for (const Index p : plan_.roles.bands) {
-    const bool neck = plan_.graph.pieces[p].cover == Cover::kCollar;
-    places.push_back({p, band_around(p, rise),
-                      std::string(name_of(plan_.graph.pieces[p].cover)) +
-                          (neck ? ", around the neck" : ", around the trunk")});
+  for (const bool on_trunk : {true, false}) {
+    for (const Index p : plan_.roles.bands) {
+      if (mean_tie_on_trunk(p).has_value() != on_trunk) continue;
+      const GarmentPiece& piece = plan_.graph.pieces[p];
+      std::optional<sewing::WrappedPlacement> upon;
+      if (!on_trunk) upon = band_upon(p, places);
+      const bool neck = piece.cover == Cover::kCollar;
+      places.push_back(
+          {p, upon ? *upon : band_around(p, rise),
+           std::string(name_of(piece.cover)) + (neck ? ", around the neck" : ", around the trunk")});
+    }
   }
   return places;
+}
+
+/// Turns and mirrors the strip so that the edge by which it is sewn is below the rest of it, or above.
+void Arranger::hang_by(Vec2 sewn, bool downwards, Index p, sewing::WrappedPlacement& w) const {
+  const GarmentPiece& piece = plan_.graph.pieces[p];
+  w.anchor = sewn;
+  const Vec2 up = normalized(piece.centroid - sewn);
+  w.turn = (downwards ? -0.5 : 0.5) * std::numbers::pi - std::atan2(up.y, up.x);
+  w.flipped = piece.outside < 0;
+}
+
+/// As the strip that it is sewn to, around it and above it: a collar on its stand.
+std::optional<sewing::WrappedPlacement> Arranger::band_upon(Index p,
+                                                            const std::vector<Placed>& places) const {
+  for (const Placed& placed : places) {
+    const auto& host = std::get<sewing::WrappedPlacement>(placed.placement);
+    Vec2 mine, there;
+    int count = 0;
+    for (const GarmentTie& t : plan_.graph.ties) {
+      if (!(t.a == p && t.b == placed.piece) && !(t.b == p && t.a == placed.piece)) continue;
+      mine = mine + (t.a == p ? t.at_a : t.at_b);
+      there = there + (t.a == p ? t.at_b : t.at_a);
+      ++count;
+    }
+    if (count == 0) continue;
+    const Vec3 seam = sewing::place({there * (1.0 / count)}, host).front() - host.axis;
+    sewing::WrappedPlacement w = host;
+    hang_by(mine * (1.0 / count), false, p, w);
+    w.radius += kClose;
+    w.height = seam.y + kSheetGap;
+    w.angle = std::atan2(seam.x, seam.z);
+    return w;
+  }
+  return std::nullopt;
 }
 
 sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
@@ -130,16 +179,13 @@ sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
   Vec2 sewn;
   int count = 0;
   for (const GarmentTie& t : plan_.graph.ties) {
-    if (t.a == t.b || (t.a != p && t.b != p)) continue;
+    if (t.a == t.b || (t.a != p && t.b != p) || !tells_of_band(p, t.a == p ? t.b : t.a)) continue;
     sewn = sewn + (t.a == p ? t.at_a : t.at_b);
     ++count;
   }
-  w.anchor = count > 0 ? sewn * (1.0 / count) : piece.centroid;
-  const Vec2 up = count > 0 ? normalized(piece.centroid - w.anchor) : piece.grain;
   const bool downwards = piece.cover == Cover::kCuff || (piece.cover == Cover::kSkirt && is_top());
-  w.turn = (downwards ? -0.5 : 0.5) * std::numbers::pi - std::atan2(up.y, up.x);
+  hang_by(count > 0 ? sewn * (1.0 / count) : piece.centroid - piece.grain, downwards, p, w);
   w.height += downwards ? -kSheetGap : kSheetGap;
-  w.flipped = piece.outside < 0;
   w.angle = angle_of_band(p, w);
   return w;
 }

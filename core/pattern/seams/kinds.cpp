@@ -106,6 +106,12 @@ bool is_long_in_collar(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return is_long(a) || is_long(b);
 }
 
+/// Whether the runs are those along which a collar sits on its stand: drafted as one line.
+bool is_fold_on_stand(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  return m.words[a.panel].stand != m.words[b.panel].stand &&
+         std::abs(a.length - b.length) < kPairWeights.fold_on_stand * a.length;
+}
+
 /// Whether both pieces are known to be of one kind, which lie alike: or fronts and backs of a garment that
 /// names no kinds.
 bool is_named_alike(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
@@ -173,7 +179,7 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   if (ka == PieceKind::kSleeve && kb == PieceKind::kSleeve)
     return !a.cap && !b.cap ? 0 : m.tailored ? kPairWeights.never_meet : kPairWeights.cap_to_sleeve;
   if (ka == PieceKind::kCollar && kb == PieceKind::kCollar)
-    return is_long_in_collar(m, a, b) ? kPairWeights.collar_long : 0;
+    return is_long_in_collar(m, a, b) && !is_fold_on_stand(m, a, b) ? kPairWeights.collar_long : 0;
   if (ka == PieceKind::kTorso && kb == PieceKind::kSleeve) return armhole_merit(m, a, b);
   if (kb == PieceKind::kTorso && ka == PieceKind::kSleeve) return armhole_merit(m, b, a);
   if ((is_neck(ka) && kb == PieceKind::kTorso && is_middle(m, b)) ||

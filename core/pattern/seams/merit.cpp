@@ -76,6 +76,12 @@ double own_piece_part(const SeamModel& m, Index i, Index j) {
   return tube ? kPairWeights.own_tube : kPairWeights.own_piece;
 }
 
+/// Whether one of the runs is of a vent or fly, which is sewn to its mirror image at most.
+bool is_of_vent(const SeamModel& m, Index i, Index j) {
+  const SeamRun &a = m.runs[i], &b = m.runs[j];
+  return m.mirror[i] != j && (stands_out(m, a) || stands_out(m, b));
+}
+
 }  // namespace
 
 double length_merit(double a, double b) {
@@ -87,7 +93,8 @@ double length_merit(double a, double b) {
 
 bool never_sewn(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
-  return stays_open(m, a, b) || kind_merit(m, a, b, told_to_hang(m, a, b)) <= kPairWeights.never_meet;
+  return stays_open(m, a, b) || is_of_vent(m, i, j) ||
+         kind_merit(m, a, b, told_to_hang(m, a, b)) <= kPairWeights.never_meet;
 }
 
 std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool lengths) {
@@ -105,16 +112,14 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   if (turns_in(m, a) && turns_in(m, b)) merit += kPairWeights.two_corners;
   if (stays_open(m, a, b)) merit += kPairWeights.stays_open;
   merit += row_merit(m, a, b);
+  if (is_of_vent(m, i, j)) merit += kPairWeights.vent;
   if (a.panel == b.panel) {
     merit += own_piece_part(m, i, j) + (is_slit(m, a, i, b, j) ? kPairWeights.slit : 0);
   } else {
     merit += name_merit(m.words[a.panel], m.words[b.panel], twins, twins || counterparts,
                         is_middle(m, a) && is_middle(m, b));
     merit += middle_merit(m, a, b);
-    if (twins)
-      merit += twin_merit(m, a, rise(m, a));
-    else if (stands_out(m, a) || stands_out(m, b))
-      merit += kPairWeights.vent;
+    if (twins) merit += twin_merit(m, a, rise(m, a));
   }
   std::array<double, 2> both{};
   for (const bool along : {false, true})

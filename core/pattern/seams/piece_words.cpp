@@ -25,14 +25,14 @@ PieceKind kind_of(const std::vector<std::string>& words) {
     PieceKind kind;
   };
   static const KindWord kWords[] = {
-      {"collar", PieceKind::kCollar}, {"hood", PieceKind::kHood},     {"lapel", PieceKind::kCollar},
-      {"torso", PieceKind::kTorso},   {"ftorso", PieceKind::kTorso},  {"btorso", PieceKind::kTorso},
-      {"bodice", PieceKind::kTorso},  {"wb", PieceKind::kBand},       {"waistband", PieceKind::kBand},
-      {"skirt", PieceKind::kSkirt},   {"pant", PieceKind::kLegs},     {"pants", PieceKind::kLegs},
-      {"trouser", PieceKind::kLegs},  {"trousers", PieceKind::kLegs}, {"leg", PieceKind::kLegs},
-      {"sleeve", PieceKind::kSleeve}, {"slv", PieceKind::kSleeve},    {"cuff", PieceKind::kCuff},
-      {"ins", PieceKind::kInsert},    {"insert", PieceKind::kInsert}, {"godet", PieceKind::kInsert},
-      {"gusset", PieceKind::kInsert}};
+      {"collar", PieceKind::kCollar},  {"neckband", PieceKind::kCollar}, {"hood", PieceKind::kHood},
+      {"lapel", PieceKind::kCollar},   {"torso", PieceKind::kTorso},     {"ftorso", PieceKind::kTorso},
+      {"btorso", PieceKind::kTorso},   {"bodice", PieceKind::kTorso},    {"wb", PieceKind::kBand},
+      {"waistband", PieceKind::kBand}, {"skirt", PieceKind::kSkirt},     {"pant", PieceKind::kLegs},
+      {"pants", PieceKind::kLegs},     {"trouser", PieceKind::kLegs},    {"trousers", PieceKind::kLegs},
+      {"leg", PieceKind::kLegs},       {"sleeve", PieceKind::kSleeve},   {"slv", PieceKind::kSleeve},
+      {"cuff", PieceKind::kCuff},      {"ins", PieceKind::kInsert},      {"insert", PieceKind::kInsert},
+      {"godet", PieceKind::kInsert},   {"gusset", PieceKind::kInsert}};
   const auto has = [&](const char* word) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
@@ -98,6 +98,7 @@ PieceWords words_of(const std::string& name) {
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
     if (is({"pant", "pants", "trouser", "trousers", "leg"})) words.leg = true;
     if (is({"side", "sidepanel", "flank"})) words.flank = true;
+    if (is({"stand", "neckband"}) && words.kind == PieceKind::kCollar) words.stand = true;
     if (is({"lining", "underlining", "facing", "interfacing", "interlining", "fusing", "fusible", "canvas",
             "pocket", "welt", "bag", "flap", "undercollar"}))
       words.layer = true;

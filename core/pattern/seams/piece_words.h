@@ -28,6 +28,7 @@ struct PieceWords {
   bool flank = false;  ///< the side of a body: left and right never meet
   bool leg = false;    ///< of trousers
   bool limb = false;   ///< a sleeve or a cuff: left and right never meet
+  bool stand = false;  ///< what a collar is sewn to along its length
   bool layer = false;  ///< a lining, a facing, a pocket: cloth that lies on other cloth
 };
 

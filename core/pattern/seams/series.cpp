@@ -108,6 +108,47 @@ bool gores_in_order(const SeamModel& m, const Chain& a, const Chain& b) {
          parted_at_first_gore(m, b) * parted_at_side(m, a) > 0;
 }
 
+/// Whether the chain is its own mirror image.
+bool is_symmetric(const SeamModel& m, const Chain& chain) {
+  const std::size_t n = chain.runs.size();
+  for (std::size_t k = 0; k < n; ++k)
+    if (m.mirror[chain.runs[k]] != chain.runs[n - 1 - k]) return false;
+  return true;
+}
+
+/// Whether all runs of the chain are of pieces of that kind.
+bool is_of(const SeamModel& m, const Chain& chain, PieceKind kind) {
+  return std::all_of(chain.runs.begin(), chain.runs.end(),
+                     [&](Index r) { return m.words[m.runs[r].panel].kind == kind; });
+}
+
+/// Whether the chain goes through the front, the back and the front again, or the other way round.
+bool leads_around(const SeamModel& m, const Chain& chain) {
+  const auto face = [&](Index r) { return m.words[m.runs[r].panel].face; };
+  const int end = face(chain.runs.front());
+  return end != 0 &&
+         std::any_of(chain.runs.begin(), chain.runs.end(), [&](Index r) { return face(r) == -end; });
+}
+
+/// Whether the chain runs around a point of a collar.
+bool rounds_collar_point(const SeamModel& m, const Chain& chain) {
+  for (std::size_t k = 1; k < chain.runs.size(); ++k) {
+    const SeamRun &x = m.runs[chain.runs[k - 1]], &y = m.runs[chain.runs[k]];
+    if (x.panel != y.panel || m.words[x.panel].kind != PieceKind::kCollar) continue;
+    const SeamRun& later = m.runs[chain.runs[k - 1]].next == chain.runs[k] ? y : x;
+    if (later.angle < kSeriesWeights.collar_point_deg) return true;
+  }
+  return false;
+}
+
+/// A collar lies as much to the left as to the right around the neck.
+bool is_collar_on_neck(const SeamModel& m, const Chain& collar, const Chain& neck) {
+  const bool fits = std::abs(collar.length - neck.length) < kSeriesWeights.collar_fits * neck.length;
+  return fits && collar.runs.size() == 1 && is_of(m, collar, PieceKind::kCollar) &&
+         is_of(m, neck, PieceKind::kTorso) && leads_around(m, neck) && is_symmetric(m, collar) &&
+         is_symmetric(m, neck);
+}
+
 /// What speaks for the two chains before the surface is looked at.
 double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   double merit = length_merit(a.length, b.length);
@@ -115,6 +156,8 @@ double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   merit += std::min(kSeriesWeights.corners_most,
                     kSeriesWeights.corner * static_cast<double>(meeting_corners(m, a, b)));
   if (a.whole && b.whole) merit += kSeriesWeights.whole_borders;
+  if (is_collar_on_neck(m, a, b) || is_collar_on_neck(m, b, a)) merit += kSeriesWeights.collar_on_neck;
+  if (rounds_collar_point(m, a) || rounds_collar_point(m, b)) merit += kSeriesWeights.round_collar_point;
   return merit;
 }
 

@@ -33,9 +33,8 @@ bool is_vent(const SeamModel& m, const SeamRun& run) {
   });
 }
 
-}  // namespace
-
-bool stands_out(const SeamModel& m, const SeamRun& run) {
+/// Whether the run itself is the one beyond the step.
+bool is_beyond_step(const SeamModel& m, const SeamRun& run) {
   const auto is_step = [&](const SeamRun& step) {
     return step.length < kPairWeights.vent_step * run.length && rise(m, step) < kPairWeights.facing;
   };
@@ -48,6 +47,22 @@ bool stands_out(const SeamModel& m, const SeamRun& run) {
     return other.panel == run.panel && &m.runs[step.next] == &run && is_step(step) &&
            is_before_line(m, run, other, other.at.back());
   });
+}
+
+/// Whether the outline runs on from the start of the one run to the other, bent a little as at the fold of a
+/// hem.
+bool bends_little(const SeamRun& later) { return std::abs(later.angle - 180) < kPairWeights.vent_bend_deg; }
+
+}  // namespace
+
+bool stands_out(const SeamModel& m, const SeamRun& run) {
+  if (is_beyond_step(m, run)) return true;
+  const SeamRun& after = m.runs[run.next];
+  if (rise(m, run) < kPairWeights.twin_straight_rise) return false;
+  if (bends_little(after) && is_beyond_step(m, after)) return true;
+  return bends_little(run) && std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
+           return before.panel == run.panel && &m.runs[before.next] == &run && is_beyond_step(m, before);
+         });
 }
 
 bool turns_in(const SeamModel& m, const SeamRun& run) {

@@ -6,8 +6,8 @@
 
 namespace toile::seams {
 
-/// Whether the run stands out by a step from a longer one along the grain: so do vents and flies, in the
-/// middle of the body and at the hand.
+/// Whether the run, or the one that it runs on into, stands out by a step from a longer one along the grain:
+/// so do vents and flies, in the middle of the body and at the hand.
 bool stands_out(const SeamModel& m, const SeamRun& run);
 
 /// Whether the piece turns in at an end of the run, as at the corner of a square neck; not where it goes out

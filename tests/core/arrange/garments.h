@@ -94,6 +94,24 @@ inline pattern::Pattern shirt(const std::string& front = "front", const std::str
   return pattern;
 }
 
+/// A jacket without sleeves that is open in front, a stand all around its neck and a collar on that.
+inline pattern::Pattern collared_vest() {
+  pattern::Pattern pattern;
+  const std::vector<Vec2> front{{10, 0}, {260, 0}, {260, 340}, {205, 560}, {80, 590}, {10, 530}};
+  const std::vector<Vec2> back{{-260, 0}, {260, 0},   {260, 340},  {205, 560},
+                               {80, 590}, {-80, 590}, {-205, 560}, {-260, 340}};
+  pattern.panels = {polygon("left_front", front), turned_over("right_front", front), polygon("back", back),
+                    polygon("collar_stand", {{0, 0}, {344, 0}, {344, 30}, {0, 30}}),
+                    polygon("collar", {{0, 0}, {344, 0}, {350, 60}, {-6, 60}})};
+  pattern.seams = {seam("side_left", {{0, 1}}, {{2, 7}}),
+                   seam("side_right", {{1, 4}}, {{2, 1}}),
+                   seam("shoulder_left", {{0, 3}}, {{2, 5}}),
+                   seam("shoulder_right", {{1, 2}}, {{2, 3}}),
+                   seam("neck", {{3, 0}}, {{1, 1}, {2, 4}, {0, 4}}),
+                   seam("fold", {{4, 0}}, {{3, 2}})};
+  return pattern;
+}
+
 /// Four legs: e1 inner leg, e2 crotch, e3 waist, e4 outer leg of the wearer's right front.
 inline pattern::Pattern trousers() {
   pattern::Pattern pattern;

@@ -471,6 +471,32 @@ TEST(Arrange, ADressHangsFromItsShouldersItsCollarAroundTheNeck) {
   }
 }
 
+TEST(Arrange, ACollarThatIsOpenInFrontLiesAroundTheNeckFromBehindTheOneOnItsStand) {
+  const Start s = started(test::collared_vest());
+  ASSERT_EQ(s.made.placements.size(), 5U);
+  EXPECT_EQ(s.made.pieces[3].where, "collar, around the neck");
+  EXPECT_EQ(s.made.pieces[4].where, "collar, around the neck");
+  const Vec3 neck = figure().neck_back;
+  for (const Index p : {3, 4}) {
+    EXPECT_NEAR(centre_of(s, p).x, 0, 0.01);
+    EXPECT_LT(centre_of(s, p).z, 0) << "its middle is behind";
+    EXPECT_LT(length(centre_of(s, p) - neck), 0.2);
+  }
+  EXPECT_GT(centre_of(s, 4).y, centre_of(s, 3).y + 0.02) << "the collar above the stand";
+  // Each end of the neck's threads is on its own side, none runs across.
+  const sewing::GarmentMesh& g = s.assembly.garment;
+  for (const auto& [a, b] : g.sewn) {
+    if (g.panel_of_vertex[a] != 3 && g.panel_of_vertex[b] != 3) continue;
+    EXPECT_GT(s.assembly.positions[a].x * s.assembly.positions[b].x, -1e-3);
+    EXPECT_LT(length(s.assembly.positions[a] - s.assembly.positions[b]), 0.3);
+  }
+  const collision::Surface surface = collision::make_surface(g.triangles, g.vertex_count(), g.weld);
+  const collision::CrossingBody body =
+      collision::make_crossing_body(mannequin().mesh.vertices, mannequin().mesh.triangles);
+  EXPECT_TRUE(collision::body_crossings(surface, s.assembly.positions, body).empty());
+  EXPECT_TRUE(collision::self_crossings(surface, s.assembly.positions).empty());
+}
+
 TEST(Arrange, APieceThatNoSeamLeadsToStaysWhereItIsAndIsNamed) {
   pattern::Pattern pattern = test::skirt();
   pattern.panels.insert(pattern.panels.begin(),

@@ -286,6 +286,27 @@ TEST(Tailored, ACollarGoesToANeckAndToNoShoulderOrArmhole) {
   }
 }
 
+TEST(Tailored, AStandGoesAllAroundTheNeckAndTheCollarOnIt) {
+  pattern::Pattern pattern = with_mirror_images({front(), back(), side(), top_sleeve(), under_sleeve()});
+  const double neck = 2 * (garments::length_of(back(), 4) + garments::length_of(front(), 4)), fold = neck + 4;
+  pattern.panels.push_back(garments::piece("collarStand", {{0, 0}, {neck, 0}, {neck + 2, 28}, {-2, 28}}));
+  // Its outer edge is about as long as the neck, too.
+  pattern.panels.push_back(
+      garments::piece("collar", {{0, 0}, {fold, 0}, {fold + 10, 50}, {neck - 2, 72}, {6, 72}, {-6, 50}}));
+  ASSERT_TRUE(pattern::validate(pattern));
+  const std::vector<SeamProposal> proposals = seams::propose_seams(pattern);
+  const std::vector<SeamProposal> neck_seams = sure(pattern, proposals, "collarStand", "back");
+  ASSERT_EQ(neck_seams.size(), 1U);
+  EXPECT_EQ(edges_of(pattern, neck_seams[0], "collarStand"), std::vector<std::string>{"e0"});
+  EXPECT_EQ(edges_of(pattern, neck_seams[0], "back"), (std::vector<std::string>{"e4", "e4"}));
+  EXPECT_EQ(edges_of(pattern, neck_seams[0], "front"), (std::vector<std::string>{"e4", "e4"}));
+  std::vector<std::string> upon;
+  for (const SeamProposal& p : sure(pattern, proposals, "collarStand", "collar"))
+    for (const std::string& edge : edges_of(pattern, p, "collar")) upon.push_back(edge);
+  EXPECT_EQ(std::count(upon.begin(), upon.end(), "e2"), 1) << "the stand's upper edge";
+  EXPECT_EQ(std::count(upon.begin(), upon.end(), "e3"), 0) << "the collar's outer edge stays free";
+}
+
 TEST(Tailored, TheCapOfAnUndersleeveIsItsHollowUpperEnd) {
   const seams::SeamModel model = seams::make_seam_model({{top_sleeve(), under_sleeve()}, {}});
   EXPECT_TRUE(model.tailored);
@@ -305,6 +326,21 @@ TEST(Tailored, ASeamEndsWhereAVentGoesOutFromIt) {
   EXPECT_TRUE(seams::stands_out(model, model.runs[1]));
   EXPECT_FALSE(seams::stands_out(model, model.runs[3]));
   EXPECT_FALSE(seams::turns_in(model, model.runs[3])) << "the corner is the vent's";
+  // The same with its hem turned up, where the edge bends.
+  const pattern::Panel turned = garments::piece("sleeve", {{5, -30},
+                                                           {195, -30},
+                                                           {200, 0},
+                                                           {202, 90},
+                                                           {160, 110, Vec2{190, 300}},
+                                                           {180, 480, Vec2{100, 700}},
+                                                           {0, 420}});
+  const seams::SeamModel hem =
+      seams::make_seam_model({{turned, garments::mirrored(turned, "sleeve_mirrored")}, {}});
+  for (const seams::SeamRun& run : hem.runs)
+    EXPECT_EQ(seams::stands_out(hem, run),
+              run.panel == 0 ? run.edge == 1 || run.edge == 2
+                             : run.length < 95 && run.length > 29 && std::abs(run.at[0].x - run.at[8].x) < 6)
+        << run.panel << ' ' << run.edge;
   const pattern::Panel square =
       garments::piece("front_l", {{0, 0}, {250, 0}, {250, 400}, {120, 560}, {90, 560}, {88, 300}, {0, 300}});
   const seams::SeamModel neck = seams::make_seam_model({{square}, {}});
