@@ -252,13 +252,66 @@ std::vector<Arranger::Placed> Arranger::limb_places(measure::BodySide side, cons
   return places;
 }
 
+/// What of an arm a piece hangs from, with the stitches of both: cuffs from sleeves. Nothing where it hangs
+/// from the trunk itself.
+struct Arranger::Hanging {
+  Index from = kNone;
+  std::vector<Vec2> mine, there;  ///< m
+};
+
+std::optional<Arranger::Hanging> Arranger::hanging_on_arm(Index piece) const {
+  const std::vector<int> steps = steps_from_trunk();
+  std::optional<Hanging> found;
+  for (const GarmentTie& t : plan_.graph.ties) {
+    if (t.a != piece && t.b != piece) continue;
+    const bool first = t.a == piece;
+    const Index other = first ? t.b : t.a;
+    if (steps[other] < 1 || steps[other] >= steps[piece] || (found && found->from != other)) continue;
+    if (!found) found = Hanging{other, {}, {}};
+    found->mine.push_back(first ? t.at_a : t.at_b);
+    found->there.push_back(first ? t.at_b : t.at_a);
+  }
+  return found;
+}
+
+/// How many pieces it is from each to the trunk; of what no seam leads to, more than there are.
+std::vector<int> Arranger::steps_from_trunk() const {
+  const int never = static_cast<int>(plan_.graph.pieces.size());
+  std::vector<int> steps(plan_.graph.pieces.size(), never);
+  for (Index p = 0; p < never; ++p)
+    if (plan_.layout.has(p)) steps[p] = 0;
+  for (bool more = true; more;) {
+    more = false;
+    for (const GarmentTie& t : plan_.graph.ties)
+      for (const auto& [from, to] : {std::pair{t.a, t.b}, std::pair{t.b, t.a}}) {
+        if (steps[from] + 1 >= steps[to]) continue;
+        steps[to] = steps[from] + 1;
+        more = true;
+      }
+  }
+  return steps;
+}
+
+/// How far out along the arm a tube begins, m: what hangs from another one where that ends.
+double Arranger::out_of_tube(Index piece, const SleeveLine& line, double out) const {
+  const std::optional<Hanging> hanging = hanging_on_arm(piece);
+  if (!hanging) return out;
+  const SleeveLine host = line_of_sleeve(plan_.graph, hanging->from, {hanging->from});
+  const double begin = out_of_tube(hanging->from, host, out);
+  const double end = std::max(0.0, dot(mean_of(hanging->there) - host.begin, host.along));
+  return begin + end + kSheetGap - dot(mean_of(hanging->mine) - line.begin, line.along);
+}
+
 Arranger::Placed Arranger::tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const {
   const measure::ArmLine& arm = stand_.figure().arm[side];
   const SleeveLine line = line_of_sleeve(plan_.graph, piece, {piece});
-  const double radius = std::max(1.1 * line.breadth, 1.6 * arm.girth) / (2 * std::numbers::pi);
-  const auto rolled = [&](bool flipped) {
-    return around_arm(line, arm, side, radius, kSleeveOut + trial.sleeve_out, flipped);
-  };
+  const double out = out_of_tube(piece, line, kSleeveOut + trial.sleeve_out);
+  // What covers less of the circle would close beside the arm: narrow cuffs, which are for the wrist.
+  const double around = std::max(1.1 * line.breadth, 1.6 * arm.girth);
+  const double least = hanging_on_arm(piece) ? 0 : 1.2 * arm.girth;
+  const double radius =
+      std::max(least, std::min(around, line.breadth / kLeastAround)) / (2 * std::numbers::pi);
+  const auto rolled = [&](bool flipped) { return around_arm(line, arm, side, radius, out, flipped); };
   // The cap's front belongs before the arm, whatever side of the cloth that turns out.
   double fits[2] = {0, 0};
   for (const bool flipped : {false, true}) {

@@ -10,6 +10,7 @@
 #include "core/arrange/arrange.h"
 #include "core/arrange/arrange_plan.h"
 #include "core/arrange/body_stand.h"
+#include "core/arrange/sleeve_places.h"
 
 namespace toile::arrange {
 
@@ -19,6 +20,10 @@ struct ArrangeTrial {
   double sleeve_out = 0;  ///< m, sleeves farther out along the arms
   double away = 0;        ///< m, sheets farther from the body
 };
+
+/// Of a circle, that a piece which closes around a neck or an arm covers at least where it begins: the way
+/// that closes it would be shorter beside the limb.
+inline constexpr double kLeastAround = 0.75;
 
 class Arranger {
  public:
@@ -38,6 +43,8 @@ class Arranger {
     std::string where;
   };
 
+  struct Hanging;
+
   Arranger(ArrangePlan plan, const BodyStand& stand) : plan_(std::move(plan)), stand_(stand) {}
 
   bool is_top() const;
@@ -56,12 +63,15 @@ class Arranger {
   double angle_of_band(Index piece, const sewing::WrappedPlacement& w) const;
   sewing::WrappedPlacement band_around(Index piece, double rise) const;
   std::optional<sewing::WrappedPlacement> band_upon(Index piece, const std::vector<Placed>& places) const;
-  void hang_by(Vec2 sewn, bool downwards, Index piece, sewing::WrappedPlacement& w) const;
+  void hang_by(const std::vector<Vec2>& sewn, bool downwards, Index piece, sewing::WrappedPlacement& w) const;
   std::optional<Vec2> mean_tie_on_trunk(Index piece) const;
 
   // The places of each kind of piece; `rise`: m, added to heights on the sheet.
   std::vector<Placed> trunk_places(const ArrangeTrial& trial, double rise) const;
   std::vector<Placed> limb_places(measure::BodySide side, const ArrangeTrial& trial, double rise) const;
+  std::optional<Hanging> hanging_on_arm(Index piece) const;
+  std::vector<int> steps_from_trunk() const;
+  double out_of_tube(Index piece, const SleeveLine& line, double out) const;
   Placed tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const;
   std::vector<Placed> hood_places(double rise) const;
   std::vector<Placed> band_places(double rise) const;

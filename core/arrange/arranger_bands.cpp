@@ -17,6 +17,22 @@ constexpr double kClose = 0.012;  // m, strips lie nearer than sheets, so that t
 constexpr double kSteepest = 0.6, kOffHips = 0.03;    // of a skirt's cone, as WrappedPlacement::slope; m
 constexpr double kNeckDepth = 0.07, kNeckHalf = 0.1;  // m, of a neckline
 
+/// The unit vector across the line along which the points lie, to the side of `inwards`. Where they lie close
+/// together on one part of an edge, the way to the piece's middle would be aslant.
+Vec2 across(const std::vector<Vec2>& points, Vec2 mean, Vec2 inwards) {
+  double xx = 0, xy = 0, yy = 0;
+  for (const Vec2 p : points) {
+    const Vec2 d = p - mean;
+    xx += d.x * d.x;
+    xy += d.x * d.y;
+    yy += d.y * d.y;
+  }
+  if (xx + yy < 1e-12) return normalized(inwards);
+  const double along = 0.5 * std::atan2(2 * xy, xx - yy);  // the major axis of their covariance
+  const Vec2 normal{-std::sin(along), std::cos(along)};
+  return dot(normal, inwards) < 0 ? normal * -1 : normal;
+}
+
 }  // namespace
 
 /// A half of a hood stands beside the head, its front edge to the front, over the shoulder.
@@ -122,11 +138,13 @@ std::vector<Arranger::Placed> Arranger::band_places(double rise) const {
   return places;
 }
 
-/// Turns and mirrors the strip so that the edge by which it is sewn is below the rest of it, or above.
-void Arranger::hang_by(Vec2 sewn, bool downwards, Index p, sewing::WrappedPlacement& w) const {
+/// Turns and mirrors the strip so that the edge by which it is sewn, at `sewn`, is below the rest of it, or
+/// above.
+void Arranger::hang_by(const std::vector<Vec2>& sewn, bool downwards, Index p,
+                       sewing::WrappedPlacement& w) const {
   const GarmentPiece& piece = plan_.graph.pieces[p];
-  w.anchor = sewn;
-  const Vec2 up = normalized(piece.centroid - sewn);
+  w.anchor = sewn.empty() ? piece.centroid : mean_of(sewn);
+  const Vec2 up = sewn.empty() ? piece.grain : across(sewn, w.anchor, piece.centroid - w.anchor);
   w.turn = (downwards ? -0.5 : 0.5) * std::numbers::pi - std::atan2(up.y, up.x);
   w.flipped = piece.outside < 0;
 }
@@ -136,18 +154,16 @@ std::optional<sewing::WrappedPlacement> Arranger::band_upon(Index p,
                                                             const std::vector<Placed>& places) const {
   for (const Placed& placed : places) {
     const auto& host = std::get<sewing::WrappedPlacement>(placed.placement);
-    Vec2 mine, there;
-    int count = 0;
+    std::vector<Vec2> mine, there;
     for (const GarmentTie& t : plan_.graph.ties) {
       if (!(t.a == p && t.b == placed.piece) && !(t.b == p && t.a == placed.piece)) continue;
-      mine = mine + (t.a == p ? t.at_a : t.at_b);
-      there = there + (t.a == p ? t.at_b : t.at_a);
-      ++count;
+      mine.push_back(t.a == p ? t.at_a : t.at_b);
+      there.push_back(t.a == p ? t.at_b : t.at_a);
     }
-    if (count == 0) continue;
-    const Vec3 seam = sewing::place({there * (1.0 / count)}, host).front() - host.axis;
+    if (mine.empty()) continue;
+    const Vec3 seam = sewing::place({mean_of(there)}, host).front() - host.axis;
     sewing::WrappedPlacement w = host;
-    hang_by(mine * (1.0 / count), false, p, w);
+    hang_by(mine, false, p, w);
     w.radius += kClose;
     w.height = seam.y + kSheetGap;
     w.angle = std::atan2(seam.x, seam.z);
@@ -175,16 +191,16 @@ sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
     w.height = y;
   }
   w.radius = std::max(w.radius, 1.02 * wide / (2 * std::numbers::pi));
+  // Where shoulders make the circle much wider than the strip is long, its ends would close beside the neck.
+  if (neck && piece.tube) w.radius = std::min(w.radius, wide / (2 * std::numbers::pi * kLeastAround));
   // The sewn edge comes to the height of what it is sewn to, the free one away from it.
-  Vec2 sewn;
-  int count = 0;
+  std::vector<Vec2> sewn;
   for (const GarmentTie& t : plan_.graph.ties) {
     if (t.a == t.b || (t.a != p && t.b != p) || !tells_of_band(p, t.a == p ? t.b : t.a)) continue;
-    sewn = sewn + (t.a == p ? t.at_a : t.at_b);
-    ++count;
+    sewn.push_back(t.a == p ? t.at_a : t.at_b);
   }
   const bool downwards = piece.cover == Cover::kCuff || (piece.cover == Cover::kSkirt && is_top());
-  hang_by(count > 0 ? sewn * (1.0 / count) : piece.centroid - piece.grain, downwards, p, w);
+  hang_by(sewn, downwards, p, w);
   w.height += downwards ? -kSheetGap : kSheetGap;
   w.angle = angle_of_band(p, w);
   return w;

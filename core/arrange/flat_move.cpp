@@ -52,4 +52,10 @@ FlatMove turn_by(double angle, bool mirrored) {
   return move;
 }
 
+Vec2 mean_of(std::span<const Vec2> points) {
+  Vec2 sum;
+  for (const Vec2 p : points) sum = sum + p;
+  return sum * (1.0 / static_cast<double>(points.size()));
+}
+
 }  // namespace toile::arrange

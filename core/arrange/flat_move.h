@@ -33,6 +33,9 @@ struct FlatFit {
 };
 FlatFit fit_move(std::span<const Vec2> points, std::span<const Vec2> targets, bool mirrored);
 
+/// REQUIRES at least one point.
+Vec2 mean_of(std::span<const Vec2> points);
+
 /// A move that turns by `angle` (radians), without a shift.
 FlatMove turn_by(double angle, bool mirrored);
 

@@ -201,6 +201,20 @@ std::array<Vec3, 2> ways_to_arms(const sewing::Assembly& assembly, std::span<con
   return {to_arm(cloth[0], f.arm[0]), to_arm(cloth[1], f.arm[1])};
 }
 
+/// How far each piece is lifted, m. What goes around the neck begins under the chin: the head's line turns
+/// out through the face (skeleton_of), and what comes above that would never come down. Hoods begin around
+/// it.
+std::vector<double> lifts_of(const sewing::Assembly& assembly, std::span<const Covers> covers,
+                             const measure::BodyFigure& f, double lift) {
+  std::vector<double> lifts(covers.size(), lift);
+  for (std::size_t p = 0; p < covers.size(); ++p) {
+    const double high = extent_of(assembly, p, f.middle).high;
+    if (covers[p] == Covers::kNeck && high < 0.5 * (f.chin + f.top))
+      lifts[p] = std::clamp(f.chin - high, 0.0, lift);
+  }
+  return lifts;
+}
+
 }  // namespace
 
 std::vector<Covers> covers_of(const sewing::Assembly& assembly, const measure::BodyFigure& f) {
@@ -226,22 +240,22 @@ std::vector<Vec3> staged(const sewing::Assembly& assembly, std::span<const Cover
       staging.below == Wide::kFolded ? folding_of(assembly, covers, figure) : std::nullopt;
   const Vec3 top{figure.middle, narrow.top, 0}, waist{figure.middle, figure.waist, 0};
   const bool on_trunk = std::find(covers.begin(), covers.end(), Covers::kTrunk) != covers.end();
-  const double lift = on_trunk ? staging.lift : staging.lift_others;
+  const std::vector<double> lifts =
+      lifts_of(assembly, covers, figure, on_trunk ? staging.lift : staging.lift_others);
   const double trunk = staging.trunk_narrow ? narrowing_of_trunk(assembly, covers, figure) : 1;
   const std::array<Vec3, 2> to_arms = ways_to_arms(assembly, covers, figure);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const Covers part = covers[static_cast<std::size_t>(assembly.garment.panel_of_vertex[i])];
+    const auto piece = static_cast<std::size_t>(assembly.garment.panel_of_vertex[i]);
+    const Covers part = covers[piece];
     if (part == Covers::kArm && staging.arms_centred) {
       x[i] += to_arms[x[i].x > figure.middle ? 0 : 1];
       continue;
     }
     if (part == Covers::kTrunk) x[i].x = figure.middle + (x[i].x - figure.middle) * trunk;
     if (part == Covers::kBelow && narrow.share < 1)
-      x[i] = folding
-                 ? folded(folding->hangs_by[static_cast<std::size_t>(assembly.garment.panel_of_vertex[i])],
-                          folding->share, x[i])
-                 : waist + (x[i] - top) * narrow.share;
-    x[i].y += lift;
+      x[i] = folding ? folded(folding->hangs_by[piece], folding->share, x[i])
+                     : waist + (x[i] - top) * narrow.share;
+    x[i].y += lifts[piece];
   }
   return x;
 }

@@ -338,11 +338,8 @@ class FigureFinder {
     constexpr int kWindow = 6;
     std::vector<Vec3> line;
     for (double y = low - kWindow * step; y <= high + kWindow * step; y += step) {
-      std::optional<Vec3> best;
-      for (const Vec3& p : middle_cut(cutter_, y, f_.middle).points) {
-        if (std::abs(p.x - f_.middle) < 0.012 * height() && (!best || facing * p.z > facing * best->z))
-          best = p;
-      }
+      const BodyCut cut = middle_cut(cutter_, y, f_.middle);
+      const std::optional<Vec3> best = middle_skin(mesh_, cut, y, f_.middle, facing, 0.012 * height());
       line.push_back(best ? Vec3{f_.middle, y, best->z} : Vec3{f_.middle, y, 0});
     }
     double sharpest = -HUGE_VAL;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/body/measure/slices.h"
 #include "core/geometry/distance.h"
@@ -86,26 +87,14 @@ class Places {
   void around(const std::string& name, double y, bool sides) {
     const BodyCut cut = middle_cut(cutter_, y, f_.middle);
     if (cut.points.empty()) return;
-    const auto farthest = [&](Vec3 way, double within) {
-      Vec3 best = cut.box.middle();
-      double most = -HUGE_VAL;
-      for (const Vec3& p : cut.points) {
-        // Front and back are those of the middle: breasts and blades stand out beside it.
-        const bool beside = way.x == 0 && std::abs(p.x - f_.middle) > within;
-        if (!beside && dot(p, way) > most) {
-          most = dot(p, way);
-          best = p;
-        }
-      }
-      return best;
-    };
+    // Front and back are those of the middle: breasts and blades stand out beside it.
     const double within = 0.012 * f_.height();
-    add(name + "_front", farthest({0, 0, 1}, within));
-    add(name + "_back", farthest({0, 0, -1}, within));
-    if (sides) {
-      add(name + "_left", farthest({1, 0, 0}, 0));
-      add(name + "_right", farthest({-1, 0, 0}, 0));
-    }
+    for (const auto& [where, facing] : {std::pair{"_front", 1.0}, std::pair{"_back", -1.0}})
+      add(name + where, middle_skin(mesh_, cut, y, f_.middle, facing, within).value_or(cut.box.middle()));
+    if (!sides) return;
+    const auto by_x = [](Vec3 p, Vec3 q) { return p.x < q.x; };
+    add(name + "_left", *std::max_element(cut.points.begin(), cut.points.end(), by_x));
+    add(name + "_right", *std::min_element(cut.points.begin(), cut.points.end(), by_x));
   }
 
   const geometry::TriangleMesh& mesh_;

@@ -1,5 +1,8 @@
 #include "core/body/measure/slices.h"
 
+#include <array>
+#include <cmath>
+
 #include "core/geometry/convex_hull.h"
 
 namespace toile::measure {
@@ -9,6 +12,16 @@ namespace {
 void grow(BodyCut& cut, Vec3 p) {
   cut.box.add(p);
   cut.points.push_back(p);
+}
+
+/// Where the triangle meets the line along z through (x, y).
+std::optional<double> depth_in(const std::array<Vec3, 3>& t, double x, double y) {
+  const auto cross_at = [&](Vec3 a, Vec3 b) { return (a.x - x) * (b.y - y) - (a.y - y) * (b.x - x); };
+  const double a = cross_at(t[1], t[2]), b = cross_at(t[2], t[0]), c = cross_at(t[0], t[1]);
+  const double all = a + b + c;
+  const bool inside = (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+  if (!inside || all == 0) return std::nullopt;
+  return (a * t[0].z + b * t[1].z + c * t[2].z) / all;
 }
 
 }  // namespace
@@ -37,6 +50,22 @@ BodyCut middle_cut(const PlaneCutter& cutter, double height, double middle) {
     for (const Vec3& p : cut.points) grow(out, p);
   }
   return out;
+}
+
+std::optional<Vec3> middle_skin(const geometry::TriangleMesh& mesh, const BodyCut& cut, double height,
+                                double middle, double facing, double aside) {
+  std::optional<Vec3> best;
+  const auto take = [&](Vec3 p) {
+    if (!best || facing * p.z > facing * best->z) best = p;
+  };
+  for (const Vec3& p : cut.points)
+    if (std::abs(p.x - middle) <= aside) take(p);
+  if (best && facing * (best->z - cut.box.middle().z) > 0) return best;
+  for (const Tri& t : mesh.triangles) {
+    const std::array<Vec3, 3> corners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+    if (const auto z = depth_in(corners, middle, height)) take({middle, height, *z});
+  }
+  return best;
 }
 
 }  // namespace toile::measure

@@ -1,6 +1,7 @@
 #pragma once
 // What a plane cuts from a body, part by part: the means by which landmarks are found on any mesh.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,5 +25,11 @@ double tape_around(const BodyCut& cut, Vec3 normal);
 /// The level part that holds the upright line x = `middle`, with those that overlap it; no points when none
 /// does.
 BodyCut middle_cut(const PlaneCutter& cutter, double height, double middle);
+
+/// The skin's place foremost (`facing` 1) or hindmost (−1) in the mid-plane at a height: of the cut's points
+/// within `aside` (m) of it, or where a coarse mesh has none there, of its triangles. `cut` is the
+/// middle_cut() at `height`.
+std::optional<Vec3> middle_skin(const geometry::TriangleMesh& mesh, const BodyCut& cut, double height,
+                                double middle, double facing, double aside);
 
 }  // namespace toile::measure

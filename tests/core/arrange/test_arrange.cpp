@@ -497,6 +497,35 @@ TEST(Arrange, ACollarThatIsOpenInFrontLiesAroundTheNeckFromBehindTheOneOnItsStan
   EXPECT_TRUE(collision::self_crossings(surface, s.assembly.positions).empty());
 }
 
+TEST(Arrange, ACuffBeginsWhereItsSleeveEndsAndGoesAroundTheArm) {
+  pattern::Pattern pattern = test::shirt();
+  for (const Index sleeve : {2, 3}) {
+    const Index cuff = static_cast<Index>(pattern.panels.size());
+    const std::string side = sleeve == 2 ? "a" : "b";
+    pattern.panels.push_back(test::polygon("cuff_" + side, {{0, 0}, {200, 0}, {200, 60}, {0, 60}}));
+    pattern.seams.push_back(test::seam("ends_" + side, {{cuff, 1}}, {{cuff, 3}}));
+    pattern.seams.push_back(test::seam("cuff_" + side, {{sleeve, 0}}, {{cuff, 2}}));
+  }
+  const Start s = started(pattern);
+  for (const Index sleeve : {2, 3}) {
+    const Index cuff = sleeve + 2;
+    const measure::ArmLine& arm = figure().arm[centre_of(s, sleeve).x > figure().middle ? 0 : 1];
+    const auto along = [&](Vec3 p) { return dot(p - arm.root, arm.along()); };
+    double sleeve_ends = -1, cuff_begins = 1, around = 0;
+    const sewing::GarmentMesh& g = s.assembly.garment;
+    for (Index v = 0; v < g.vertex_count(); ++v) {
+      const Vec3 p = s.assembly.positions[v];
+      if (g.panel_of_vertex[v] == sleeve) sleeve_ends = std::max(sleeve_ends, along(p));
+      if (g.panel_of_vertex[v] != cuff) continue;
+      cuff_begins = std::min(cuff_begins, along(p));
+      around = std::max(around, length(p - arm.root - arm.along() * along(p)));
+    }
+    EXPECT_GT(cuff_begins, sleeve_ends);
+    EXPECT_LT(cuff_begins, sleeve_ends + 0.03);
+    EXPECT_LT(around, 0.06) << "200 mm of cloth close around a wrist, not beside it";
+  }
+}
+
 TEST(Arrange, APieceThatNoSeamLeadsToStaysWhereItIsAndIsNamed) {
   pattern::Pattern pattern = test::skirt();
   pattern.panels.insert(pattern.panels.begin(),

@@ -87,6 +87,31 @@ TEST(Staging, APanelBesideTheTrunkIsNoSleeve) {
   EXPECT_EQ(covers[1], dressing::Covers::kArm);
 }
 
+TEST(Staging, ACollarStaysUnderTheChinWhereTheTrunkIsLifted) {
+  const measure::BodyFigure& f = test::person().figure;
+  pattern::Pattern p = plain_top();
+  p.panels.push_back(test::polygon("collar", {{0, 0}, {400, 0}, {400, 30}, {0, 30}}));
+  const auto meshes = mesh::make_panel_meshes(p, 0.03, {}).value();
+  const double height = f.shoulder[0].y - 0.5, low = f.chin - 0.05;
+  const sewing::WrappedPlacement around{{f.middle, 0, 0}, 0.065, 0, low, {0.2, 0}};
+  const sewing::Assembly assembly =
+      sewing::assemble(meshes,
+                       {sewing::RigidPlacement{{0, height, 0.22}, {}, false},
+                        sewing::RigidPlacement{{0, height, -0.22}, {0, std::numbers::pi, 0}, false}, around},
+                       {})
+          .value();
+  const auto covers = dressing::covers_of(assembly, f);
+  ASSERT_EQ(covers[2], dressing::Covers::kNeck);
+  dressing::Staging staging;
+  staging.lift = 0.12;
+  const std::vector<Vec3> x = dressing::staged(assembly, covers, f, staging);
+  double high = -1;
+  for (Index v = assembly.garment.first_vertex[2]; v < assembly.garment.first_vertex[3]; ++v)
+    high = std::max(high, x[v].y);
+  EXPECT_NEAR(high, f.chin, 1e-9);
+  EXPECT_NEAR(x[0].y, assembly.positions[0].y + 0.12, 1e-12);
+}
+
 TEST(Staging, AWideSkirtIsFoldedDownInsideTheHandsAsLongAsItIs) {
   const measure::BodyFigure& figure = test::person().figure;
   const sewing::Assembly dress = placed(circle_dress());

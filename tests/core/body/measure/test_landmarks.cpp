@@ -97,6 +97,30 @@ TEST(Landmarks, AreOnTheSkinOfTheCoarsestFigures) {
   }
 }
 
+TEST(Landmarks, TheNecksFrontIsBeforeItsBackHoweverCoarseTheMeshIsThere) {
+  // A mesh may have no corner near the middle in front, while there is one behind.
+  for (const char* preset : {"eu40", "eu46", "m46"}) {
+    for (const Index triangles : {2200, 4562}) {
+      mannequin::MannequinSettings settings;
+      settings.sex = mannequin::find_preset(preset)->sex;
+      settings.asked = mannequin::find_preset(preset)->measures();
+      settings.triangle_count = triangles;
+      const auto made = mannequin::make_mannequin(settings);
+      ASSERT_TRUE(made.ok());
+      const auto figure = measure::find_figure(made->mesh);
+      ASSERT_TRUE(figure.ok());
+      EXPECT_GT(figure->neck_front.z, figure->neck_back.z + 0.03) << preset << ' ' << triangles;
+      const auto marks = measure::find_landmarks(made->mesh, *figure);
+      for (const std::string name : {"waist", "hip", "bust"}) {
+        const auto* front = measure::landmark_named(marks, name + "_front");
+        const auto* back = measure::landmark_named(marks, name + "_back");
+        ASSERT_TRUE(front != nullptr && back != nullptr);
+        EXPECT_GT(front->place.z, back->place.z + 0.1) << preset << ' ' << triangles << ' ' << name;
+      }
+    }
+  }
+}
+
 TEST(Landmarks, StayOnTheSkinWhenTheMeshIsReshaped) {
   geometry::TriangleMesh mesh = mannequin();
   const measure::SkinPoint point = measure::nearest_on_skin(mesh, {0, 1.1, 0.3});
