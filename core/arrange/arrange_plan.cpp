@@ -43,25 +43,44 @@ std::vector<bool> hang_on_arms(const GarmentGraph& graph) {
   return on_arm;
 }
 
-/// Collars that are sewn to the front and to the back: they lie around the neck, open or not, and so does a
-/// collar that is sewn to such a one more than to anything else.
+/// Whether the points lie within a strip, as those along one edge do.
+bool lie_in_line(const std::vector<Vec2>& points) {
+  constexpr double kStrip = 0.12;  // of its length, how wide
+  if (points.empty()) return false;
+  const PointAxes axes = axes_of(points);
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+  for (const Vec2 p : points) {
+    const double at[2] = {dot(p, axes.along), dot(p, perpendicular(axes.along))};
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], at[k]);
+      high[k] = std::max(high[k], at[k]);
+    }
+  }
+  return high[1] - low[1] < kStrip * (high[0] - low[0]);
+}
+
+/// Collars that are sewn to the front and to the back by one edge (a jacket's with its gorges lies before it
+/// as it was drawn): they lie around the neck, open or not, and so does a collar that is sewn to such a one
+/// more than to anything else.
 std::vector<bool> go_around_neck(const GarmentGraph& graph) {
   const std::size_t count = graph.pieces.size();
   std::vector<bool> front(count), back(count), around(count);
+  std::vector<std::vector<Vec2>> sewn(count);
   const auto each_tie = [&](auto visit) {
     for (const GarmentTie& t : graph.ties) {
       if (t.a == t.b) continue;
-      if (graph.pieces[t.a].cover == Cover::kCollar) visit(t.a, t.b);
-      if (graph.pieces[t.b].cover == Cover::kCollar) visit(t.b, t.a);
+      if (graph.pieces[t.a].cover == Cover::kCollar) visit(t.a, t.b, t.at_a);
+      if (graph.pieces[t.b].cover == Cover::kCollar) visit(t.b, t.a, t.at_b);
     }
   };
-  each_tie([&](Index collar, Index other) {
+  each_tie([&](Index collar, Index other, Vec2 at) {
     if (graph.pieces[other].face > 0) front[collar] = true;
     if (graph.pieces[other].face < 0) back[collar] = true;
+    if (graph.pieces[other].face != 0) sewn[collar].push_back(at);
   });
-  for (std::size_t p = 0; p < count; ++p) around[p] = front[p] && back[p];
+  for (std::size_t p = 0; p < count; ++p) around[p] = front[p] && back[p] && lie_in_line(sewn[p]);
   std::vector<int> upon(count);
-  each_tie([&](Index collar, Index other) { upon[collar] += around[other] ? 1 : -1; });
+  each_tie([&](Index collar, Index other, Vec2) { upon[collar] += around[other] ? 1 : -1; });
   for (std::size_t p = 0; p < count; ++p) around[p] = around[p] || upon[p] > 0;
   return around;
 }

@@ -19,17 +19,9 @@ constexpr double kNeckDepth = 0.07, kNeckHalf = 0.1;  // m, of a neckline
 
 /// The unit vector across the line along which the points lie, to the side of `inwards`. Where they lie close
 /// together on one part of an edge, the way to the piece's middle would be aslant.
-Vec2 across(const std::vector<Vec2>& points, Vec2 mean, Vec2 inwards) {
-  double xx = 0, xy = 0, yy = 0;
-  for (const Vec2 p : points) {
-    const Vec2 d = p - mean;
-    xx += d.x * d.x;
-    xy += d.x * d.y;
-    yy += d.y * d.y;
-  }
-  if (xx + yy < 1e-12) return normalized(inwards);
-  const double along = 0.5 * std::atan2(2 * xy, xx - yy);  // the major axis of their covariance
-  const Vec2 normal{-std::sin(along), std::cos(along)};
+Vec2 across(const PointAxes& line, Vec2 inwards) {
+  if (!line.spread) return normalized(inwards);
+  const Vec2 normal = perpendicular(line.along);
   return dot(normal, inwards) < 0 ? normal * -1 : normal;
 }
 
@@ -143,8 +135,9 @@ std::vector<Arranger::Placed> Arranger::band_places(double rise) const {
 void Arranger::hang_by(const std::vector<Vec2>& sewn, bool downwards, Index p,
                        sewing::WrappedPlacement& w) const {
   const GarmentPiece& piece = plan_.graph.pieces[p];
-  w.anchor = sewn.empty() ? piece.centroid : mean_of(sewn);
-  const Vec2 up = sewn.empty() ? piece.grain : across(sewn, w.anchor, piece.centroid - w.anchor);
+  const PointAxes line = sewn.empty() ? PointAxes{piece.centroid, {}} : axes_of(sewn);
+  w.anchor = line.mean;
+  const Vec2 up = sewn.empty() ? piece.grain : across(line, piece.centroid - line.mean);
   w.turn = (downwards ? -0.5 : 0.5) * std::numbers::pi - std::atan2(up.y, up.x);
   w.flipped = piece.outside < 0;
 }

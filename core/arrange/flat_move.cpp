@@ -58,4 +58,17 @@ Vec2 mean_of(std::span<const Vec2> points) {
   return sum * (1.0 / static_cast<double>(points.size()));
 }
 
+PointAxes axes_of(std::span<const Vec2> points) {
+  const Vec2 mean = mean_of(points);
+  double xx = 0, xy = 0, yy = 0;
+  for (const Vec2 p : points) {
+    const Vec2 d = p - mean;
+    xx += d.x * d.x;
+    xy += d.x * d.y;
+    yy += d.y * d.y;
+  }
+  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+  return {mean, {std::cos(angle), std::sin(angle)}, xx + yy > 1e-12};
+}
+
 }  // namespace toile::arrange

@@ -36,6 +36,13 @@ FlatFit fit_move(std::span<const Vec2> points, std::span<const Vec2> targets, bo
 /// REQUIRES at least one point.
 Vec2 mean_of(std::span<const Vec2> points);
 
+/// The mean of points and the unit vector along which they spread most (the major axis of their covariance).
+struct PointAxes {
+  Vec2 mean, along;
+  bool spread = false;  ///< false: they are one point, and `along` says nothing
+};
+PointAxes axes_of(std::span<const Vec2> points);  ///< REQUIRES at least one point
+
 /// A move that turns by `angle` (radians), without a shift.
 FlatMove turn_by(double angle, bool mirrored);
 

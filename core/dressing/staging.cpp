@@ -201,6 +201,18 @@ std::array<Vec3, 2> ways_to_arms(const sewing::Assembly& assembly, std::span<con
   return {to_arm(cloth[0], f.arm[0]), to_arm(cloth[1], f.arm[1])};
 }
 
+/// Whether a piece stands around the neck, rather than flat before or behind it.
+bool is_round(const sewing::Assembly& assembly, std::size_t piece) {
+  constexpr double kFlat = 0.03;  // m
+  const sewing::GarmentMesh& g = assembly.garment;
+  double front = -1e9, back = 1e9;
+  for (Index v = g.first_vertex[piece]; v < g.first_vertex[piece + 1]; ++v) {
+    front = std::max(front, assembly.positions[v].z);
+    back = std::min(back, assembly.positions[v].z);
+  }
+  return front - back > kFlat;
+}
+
 /// How far each piece is lifted, m. What goes around the neck begins under the chin: the head's line turns
 /// out through the face (skeleton_of), and what comes above that would never come down. Hoods begin around
 /// it.
@@ -209,7 +221,7 @@ std::vector<double> lifts_of(const sewing::Assembly& assembly, std::span<const C
   std::vector<double> lifts(covers.size(), lift);
   for (std::size_t p = 0; p < covers.size(); ++p) {
     const double high = extent_of(assembly, p, f.middle).high;
-    if (covers[p] == Covers::kNeck && high < 0.5 * (f.chin + f.top))
+    if (covers[p] == Covers::kNeck && is_round(assembly, p) && high < 0.5 * (f.chin + f.top))
       lifts[p] = std::clamp(f.chin - high, 0.0, lift);
   }
   return lifts;

@@ -15,6 +15,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/roles.h"
+#include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -70,6 +71,24 @@ std::vector<double> notches_on(const pattern::Panel& panel, const pattern::Panel
   return found;
 }
 
+/// The direction that is up when the piece is worn, as far as it tells: mostly along its grain, but bands,
+/// cuffs and collars are often cut with the grain along them, and then go around a limb all the same.
+Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
+  constexpr double kStrip = 2.5;  // times as long as wide
+  const Vec2 grain = normalized(panel.grain), across = perpendicular(grain);
+  if (kind != PieceKind::kBand) return grain;
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+  for (const pattern::PanelEdge& edge : panel.outline.edges) {
+    const Vec2 p = edge.curves.front().p0;
+    const double at[2] = {dot(p, grain), dot(p, across)};
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], at[k]);
+      high[k] = std::max(high[k], at[k]);
+    }
+  }
+  return high[0] - low[0] > kStrip * (high[1] - low[1]) ? across : grain;
+}
+
 void add_panel(const pattern::Panel& panel, Index index, SeamModel& model) {
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
   const Index first = static_cast<Index>(model.runs.size());
@@ -80,7 +99,7 @@ void add_panel(const pattern::Panel& panel, Index index, SeamModel& model) {
     run.edge = static_cast<Index>(e);
     run.next = first + static_cast<Index>((e + 1) % count);
     measure(edges[e], run);
-    run.up = dot(normalized(-perpendicular(run.at.back() - run.at.front())), normalized(panel.grain));
+    run.up = dot(normalized(-perpendicular(run.at.back() - run.at.front())), model.up[index]);
     run.angle = corner_angle(edges[(e + count - 1) % count], edges[e]);
     if (!panel.notches.empty()) run.notches = notches_on(panel, edges[e]);
     model.runs.push_back(std::move(run));
@@ -143,18 +162,37 @@ void find_between(SeamModel& m) {
   }
 }
 
-/// What is only called front, back or side is of the trunk where sleeves, collars or hoods say that it is a
-/// top, and nothing else says what covers the trunk.
-void name_trunk(std::vector<PieceWords>& words) {
+/// Whether the piece has a shoulder by its shape: a straight edge between two hollow ones, armhole and neck.
+bool has_shoulder(const SeamModel& m, Index panel) {
+  const auto hollow = [](const SeamRun& run) { return run.turn.back() < kPairWeights.neck_deg; };
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
+    const SeamRun& shoulder = m.runs[before.next];
+    return before.panel == panel && hollow(before) && bend_of(shoulder) < kPairWeights.straight_deg &&
+           hollow(m.runs[shoulder.next]) && &m.runs[shoulder.next] != &before;
+  });
+}
+
+/// What is only called front, back or side is of the trunk where it has shoulders; or where sleeves, collars,
+/// hoods or others with shoulders say that it is a top, and nothing else says what covers the trunk.
+void name_trunk(SeamModel& m) {
   using enum PieceKind;
+  std::vector<PieceWords>& words = m.words;
   const auto any = [&](std::initializer_list<PieceKind> kinds) {
     return std::any_of(words.begin(), words.end(), [&](const PieceWords& w) {
       return std::find(kinds.begin(), kinds.end(), w.kind) != kinds.end();
     });
   };
-  if (!any({kSleeve, kCollar, kHood}) || any({kTorso, kSkirt, kLegs, kBand})) return;
+  const auto unnamed = [](const PieceWords& w) { return w.kind == kOther && !w.limb && !w.layer; };
+  const bool covered = any({kTorso, kSkirt, kLegs, kBand});
+  bool top = any({kSleeve, kCollar, kHood});
+  for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
+    if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
+    words[p].kind = kTorso;
+    top = true;
+  }
+  if (!top || covered) return;
   for (PieceWords& w : words)
-    if (w.kind == kOther && (w.face != 0 || w.flank) && !w.limb && !w.layer) w.kind = kTorso;
+    if (unnamed(w) && (w.face != 0 || w.flank)) w.kind = kTorso;
 }
 
 }  // namespace
@@ -192,10 +230,10 @@ int hangs_from(const SeamModel& m, Index lower, Index upper) {
 SeamModel make_seam_model(const pattern::Pattern& pattern) {
   SeamModel model;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    add_panel(pattern.panels[p], static_cast<Index>(p), model);
     model.words.push_back(words_of(pattern.panels[p].id));
+    model.up.push_back(up_of(pattern.panels[p], model.words[p].kind));
+    add_panel(pattern.panels[p], static_cast<Index>(p), model);
     model.lines.push_back(static_cast<int>(pattern.panels[p].outline.edges.size()));
-    model.up.push_back(normalized(pattern.panels[p].grain));
     // Sleeves are often drawn lying, and files without grain lines have it upright.
     model.upright.push_back(
         !model.words[p].limb || model.words[p].leg || model.words[p].kind == PieceKind::kCuff ||
@@ -203,7 +241,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   }
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
-  name_trunk(model.words);
+  name_trunk(model);
   find_rows(pattern, model);
   find_between(model);
   find_hands(model);

@@ -59,6 +59,7 @@ struct PairWeights {
   double height = 1.5;         ///< times the correlation of the two edges' heights
   double facing = 0.8;         ///< how much an edge faces up or down that does
   double facing_fully = 0.97;  ///< waists; shoulders slope
+  double neck_deg = -20;       ///< turning of a neck at least, and of an armhole beside a shoulder
   double level_up = 0.995;     ///< a straight neck is level
   double off_neck = 0.6;       ///< how much an edge faces the side that is at no neck
   double two_hems = -8;
