@@ -150,6 +150,12 @@ json::JsonValue drape_report(const fs::path& project, const fs::path& out) {
   return *report;
 }
 
+TEST(SampleCommand, TheBlouseIsWornWithItsCollarAndCuffs) {
+  const fs::path kept = fs::path(TOILE_SOURCE_DIR) / "samples/blouse/project.json";
+  const json::JsonValue report = drape_report(kept, fresh_folder("toile_sample_blouse_worn"));
+  EXPECT_EQ(*report.find("worn")->text(), "yes");
+}
+
 TEST(SampleCommand, TheChairCoverFitsItsChair) {
   const fs::path out = fresh_folder("toile_sample_chair_cover");
   drape_report(fs::path(TOILE_SOURCE_DIR) / "samples/chair-cover/project.json", out);

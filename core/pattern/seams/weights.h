@@ -11,7 +11,8 @@
 //   the five, developed on:      1.00, 0.96
 //   four designs of FreeSewing:  1.00, 0.97
 // Of what is told at 0.9 and above (mean 0.98) 0.91 is right on the odd designs. The rules for tailored
-// clothes were found on a fifth design of FreeSewing, a jacket of 17 pieces. What is changed here is to be
+// clothes were found on a fifth design of FreeSewing, a jacket of 17 pieces; those for shoulders without
+// sleeves and for waistbands cut along their grain on patterns drawn for it. What is changed here is to be
 // scored again on all of them, the two halves told apart.
 
 #include <cstddef>

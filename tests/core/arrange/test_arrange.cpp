@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/arrange/flat_move.h"
 #include "core/arrange/garment_graph.h"
 #include "core/arrange/piece_image.h"
 #include "core/body/measure/landmarks.h"
@@ -495,6 +496,17 @@ TEST(Arrange, ACollarThatIsOpenInFrontLiesAroundTheNeckFromBehindTheOneOnItsStan
       collision::make_crossing_body(mannequin().mesh.vertices, mannequin().mesh.triangles);
   EXPECT_TRUE(collision::body_crossings(surface, s.assembly.positions, body).empty());
   EXPECT_TRUE(collision::self_crossings(surface, s.assembly.positions).empty());
+}
+
+TEST(FlatMove, TheAxisOfPointsIsTheirLineHoweverDenseTheyLieOnIt) {
+  const Vec2 along = normalized(Vec2{3, 1}), at{2, -1};
+  std::vector<Vec2> points;
+  for (int k = 0; k < 20; ++k) points.push_back(at + along * (0.01 * k));  // dense on one half
+  for (int k = 1; k < 5; ++k) points.push_back(at - along * (0.05 * k));
+  const arrange::PointAxes axes = arrange::axes_of(points);
+  EXPECT_TRUE(axes.spread);
+  EXPECT_NEAR(std::abs(dot(axes.along, along)), 1, 1e-12);
+  EXPECT_FALSE(arrange::axes_of(std::vector<Vec2>{at, at}).spread);
 }
 
 TEST(Arrange, ACuffBeginsWhereItsSleeveEndsAndGoesAroundTheArm) {

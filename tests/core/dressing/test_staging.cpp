@@ -109,6 +109,18 @@ TEST(Staging, ACollarStaysUnderTheChinWhereTheTrunkIsLifted) {
   for (Index v = assembly.garment.first_vertex[2]; v < assembly.garment.first_vertex[3]; ++v)
     high = std::max(high, x[v].y);
   EXPECT_NEAR(high, f.chin, 1e-9);
+  // One that lies flat before the neck, as with a jacket's lapels, goes up with the trunk that it is sewn to.
+  const sewing::Assembly flat =
+      sewing::assemble(meshes,
+                       {sewing::RigidPlacement{{0, height, 0.22}, {}, false},
+                        sewing::RigidPlacement{{0, height, -0.22}, {0, std::numbers::pi, 0}, false},
+                        sewing::RigidPlacement{{-0.2, low, 0.1}, {}, false}},
+                       {})
+          .value();
+  ASSERT_EQ(dressing::covers_of(flat, f)[2], dressing::Covers::kNeck);
+  const Index corner = flat.garment.first_vertex[2];
+  EXPECT_NEAR(dressing::staged(flat, dressing::covers_of(flat, f), f, staging)[corner].y,
+              flat.positions[corner].y + 0.12, 1e-12);
   EXPECT_NEAR(x[0].y, assembly.positions[0].y + 0.12, 1e-12);
 }
 

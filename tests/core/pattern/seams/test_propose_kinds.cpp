@@ -283,6 +283,60 @@ TEST(ProposeByKinds, PartASeamWhereEdgesEndOnBothSides) {
   EXPECT_EQ(parts, 4);
 }
 
+/// "piece.edge" of all edges of the proposal.
+std::set<std::string> edges_in(const pattern::Pattern& pattern, const SeamProposal& p) {
+  std::set<std::string> names;
+  for (const std::vector<pattern::SeamEdge>* side : {&p.seam.a, &p.seam.b})
+    for (const pattern::SeamEdge& e : *side)
+      names.insert(pattern.panels[e.panel].id + "." + pattern.panels[e.panel].outline.edges[e.edge].id);
+  return names;
+}
+
+TEST(ProposeByKinds, AWaistbandThatIsCutAlongItsGrainGoesAroundTheWaist) {
+  pattern::Panel band = sheet("waistband", 780, 780, 35);
+  band.grain = {1, 0};
+  const pattern::Pattern pattern{
+      {sheet("front skirt", 560, 390, 600), sheet("back skirt", 560, 390, 600), band}, {}};
+  std::set<std::string> waist, ends;
+  for (const SeamProposal& p : seams::propose_seams(pattern)) {
+    if (p.confidence < 0.8) continue;
+    const std::set<std::string> names = edges_in(pattern, p);
+    if (names.contains("waistband.e1") || names.contains("waistband.e3")) ends = names;
+    if (names.contains("waistband.e0") || names.contains("waistband.e2")) waist = names;
+  }
+  EXPECT_EQ(ends, (std::set<std::string>{"waistband.e1", "waistband.e3"}));
+  EXPECT_EQ(waist.size(), 3U) << "one long edge, and both waists";
+  EXPECT_TRUE(waist.contains("front skirt.e2") && waist.contains("back skirt.e2"));
+}
+
+TEST(ProposeByKinds, ATopOnStrapsKeepsItsArmholesAndItsNeckOpen) {
+  const std::vector<garments::Node> sheet_of_top{{-230, 0},
+                                                 {230, 0},
+                                                 {240, 300, Vec2{170, 330}},
+                                                 {150, 480},
+                                                 {110, 480, Vec2{0, 250}},
+                                                 {-110, 480},
+                                                 {-150, 480, Vec2{-170, 330}},
+                                                 {-240, 300}};
+  const std::vector<garments::Node> strap{{0, 0}, {60, 0}, {60, 40}, {0, 40}};
+  pattern::Pattern pattern{{garments::piece("front", sheet_of_top), garments::piece("back", sheet_of_top),
+                            garments::piece("strap", strap)},
+                           {}};
+  pattern.panels.push_back(garments::mirrored(pattern.panels[2], "strap_mirrored"));
+  ASSERT_TRUE(pattern::validate(pattern));
+  int straps = 0;
+  for (const SeamProposal& p : seams::propose_seams(pattern)) {
+    const std::set<std::string> names = edges_in(pattern, p);
+    for (const std::string piece : {"front", "back"})
+      for (const std::string edge : {".e2", ".e4", ".e6"})
+        EXPECT_TRUE(p.confidence < 0.5 || !names.contains(piece + edge)) << piece << edge << " is open";
+    const bool strap_end = std::any_of(names.begin(), names.end(),
+                                       [](const std::string& name) { return name.starts_with("strap"); });
+    straps += p.confidence >= 0.8 && strap_end;
+  }
+  EXPECT_EQ(straps, 4);
+}
+
 TEST(PieceWords, TellKindsOfPieces) {
   using seams::PieceKind;
   EXPECT_EQ(seams::words_of("left_ftorso").kind, PieceKind::kTorso);
