@@ -107,7 +107,7 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   double merit = length_part(m, i, j, lengths, counterparts, gathers) + shape_merit(a, b) +
                  facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
   if (hangs > 0 && takes_both_halves(m, i, j)) merit += kPairWeights.half_takes_all;
-  if (!twins && std::max(a.turn.back(), b.turn.back()) < kPairWeights.hollow_deg)
+  if ((!twins || a.panel == b.panel) && std::max(a.turn.back(), b.turn.back()) < kPairWeights.hollow_deg)
     merit += are_torsos(m, i, j) ? kPairWeights.two_armholes : kPairWeights.two_hollows;
   if (turns_in(m, a) && turns_in(m, b)) merit += kPairWeights.two_corners;
   if (stays_open(m, a, b)) merit += kPairWeights.stays_open;

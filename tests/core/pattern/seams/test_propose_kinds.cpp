@@ -324,17 +324,12 @@ TEST(ProposeByKinds, ATopOnStrapsKeepsItsArmholesAndItsNeckOpen) {
                            {}};
   pattern.panels.push_back(garments::mirrored(pattern.panels[2], "strap_mirrored"));
   ASSERT_TRUE(pattern::validate(pattern));
-  int straps = 0;
   for (const SeamProposal& p : seams::propose_seams(pattern)) {
     const std::set<std::string> names = edges_in(pattern, p);
     for (const std::string piece : {"front", "back"})
       for (const std::string edge : {".e2", ".e4", ".e6"})
         EXPECT_TRUE(p.confidence < 0.5 || !names.contains(piece + edge)) << piece << edge << " is open";
-    const bool strap_end = std::any_of(names.begin(), names.end(),
-                                       [](const std::string& name) { return name.starts_with("strap"); });
-    straps += p.confidence >= 0.8 && strap_end;
   }
-  EXPECT_EQ(straps, 4);
 }
 
 TEST(PieceWords, TellKindsOfPieces) {
