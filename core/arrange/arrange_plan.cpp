@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/arrange/garment_kind.h"
 #include "core/arrange/trouser_legs.h"
 
 namespace toile::arrange {
@@ -182,7 +183,8 @@ measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, c
 
 Result<ArrangePlan> plan_arrangement(const ArrangeInput& input, const BodyStand& stand) {
   ArrangePlan plan;
-  plan.graph = make_garment_graph(input.pattern, input.meshes, input.absent);
+  plan.graph = make_garment_graph(input.pattern, input.meshes);
+  cover_unnamed(plan.graph, input.absent, stand.waist_girth());
   plan.roles = roles_of(plan.graph);
   FlatLayout layout = TRY(trunk_layout(plan.graph, plan.roles.trunk, stand));
   plan.layout = std::move(layout);

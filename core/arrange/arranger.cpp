@@ -20,9 +20,9 @@ namespace {
 constexpr double kUnder = 0.025;     ///< m, how far beside an outline the body still counts
 constexpr double kSleeveOut = 0.03;  ///< m, sleeves begin beyond the arm's root
 constexpr double kTopBand = 0.10;    ///< m, what lies that far under the top is the top edge
-constexpr double kCrotchEase = 0.015, kMostSunk = 0.08;   // m
-constexpr double kBelowCrotch = 0.022;                    // m
-constexpr double kOverNeck = 0.005, kBelowArmpit = 0.02;  // m
+constexpr double kCrotchEase = 0.015, kMostSunk = 0.08;  // m
+constexpr double kBelowCrotch = 0.022;                   // m
+constexpr double kOverNeck = 0.005;                      // m
 constexpr double kShoulderLow = 0.12;  // m, how far shoulder seams may lie below the highest stitches
 constexpr double kCollarAway = 0.04;   ///< m, before what they are sewn to
 constexpr double kCuffAway = 0.06;     ///< m, of the right leg's: the left one's lies between
@@ -72,8 +72,8 @@ double Arranger::rise_of_trunk(const ArrangeTrial& trial) const {
   return is_top() ? rise_of_top() - trial.lower : rise_of_bottom();
 }
 
-/// The highest stitches between fronts and backs come to the neck's sides; without shoulders, to where sides
-/// end below the arms.
+/// The highest stitches between fronts and backs come to the neck's sides; without shoulders, what has legs
+/// is held by its crotch, as dungarees are, and all else ends its sides below the arms.
 double Arranger::rise_of_top() const {
   std::map<std::array<Index, 3>, SeamRun> runs;  // by seam and pieces: one name may be sewn on both sides
   for (const GarmentTie& t : plan_.graph.ties) {
@@ -90,7 +90,10 @@ double Arranger::rise_of_top() const {
   }
   const measure::BodyFigure& f = stand_.figure();
   if (highest == -HUGE_VAL) return f.neck_side[0].y + kOverNeck - plan_.top;
-  if (shoulder < highest - kShoulderLow) return f.armpit[0].y - kBelowArmpit - highest;
+  if (shoulder < highest - kShoulderLow) {
+    const std::optional<double> crotch = crotch_on_sheet();
+    return crotch ? f.crotch - kBelowCrotch - kCrotchEase - *crotch : f.armpit[0].y - kBelowArmpit - highest;
+  }
   return f.neck_side[0].y + kOverNeck - highest;
 }
 

@@ -25,6 +25,8 @@ struct ArrangeTrial {
 /// that closes it would be shorter beside the limb.
 inline constexpr double kLeastAround = 0.75;
 
+inline constexpr double kBelowArmpit = 0.02;  ///< m, where sides without shoulders end
+
 class Arranger {
  public:
   /// `stand` must outlive the arranger. Error: arrange.no_seams.
@@ -62,6 +64,7 @@ class Arranger {
   bool tells_of_band(Index piece, Index other) const;
   double angle_of_band(Index piece, const sewing::WrappedPlacement& w) const;
   sewing::WrappedPlacement band_around(Index piece, double rise) const;
+  sewing::WrappedPlacement tube_around(Index piece) const;
   std::optional<sewing::WrappedPlacement> band_upon(Index piece, const std::vector<Placed>& places) const;
   void hang_by(const std::vector<Vec2>& sewn, bool downwards, Index piece, sewing::WrappedPlacement& w) const;
   std::optional<Vec2> mean_tie_on_trunk(Index piece) const;

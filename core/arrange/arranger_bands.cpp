@@ -1,11 +1,16 @@
 // Hoods, the strips that go around trunk and neck, and rings of gores.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/arrange/arranger.h"
 #include "core/arrange/piece_cover.h"
+#include "core/arrange/roll.h"
 #include "core/arrange/sheet_placement.h"
 #include "core/geometry/polygon2.h"
 
@@ -14,7 +19,10 @@ namespace toile::arrange {
 namespace {
 
 constexpr double kClose = 0.012;  // m, strips lie nearer than sheets, so that their ends meet
-constexpr double kSteepest = 0.6, kOffHips = 0.03;    // of a skirt's cone, as WrappedPlacement::slope; m
+constexpr double kSteepest = 0.6, kOffHips = 0.03;  // of a skirt's cone, as WrappedPlacement::slope; m
+/// As kLeastAround, of the trunk, which is flatter than round: the way that closes a tube runs behind it
+/// still.
+constexpr double kLeastOfTrunk = 0.68;
 constexpr double kNeckDepth = 0.07, kNeckHalf = 0.1;  // m, of a neckline
 
 /// The unit vector across the line along which the points lie, to the side of `inwards`. Where they lie close
@@ -122,8 +130,12 @@ std::vector<Arranger::Placed> Arranger::band_places(double rise) const {
       std::optional<sewing::WrappedPlacement> upon;
       if (!on_trunk) upon = band_upon(p, places);
       const bool neck = piece.cover == Cover::kCollar;
+      const bool alone = !on_trunk && !neck && plan_.roles.trunk.empty();
       places.push_back(
-          {p, upon ? *upon : band_around(p, rise),
+          {p,
+           upon    ? *upon
+           : alone ? tube_around(p)
+                   : band_around(p, rise),
            std::string(name_of(piece.cover)) + (neck ? ", around the neck" : ", around the trunk")});
     }
   }
@@ -142,7 +154,8 @@ void Arranger::hang_by(const std::vector<Vec2>& sewn, bool downwards, Index p,
   w.flipped = piece.outside < 0;
 }
 
-/// As the strip that it is sewn to, around it and above it: a collar on its stand.
+/// Around the strip that it is sewn to, beyond the edge that takes it: a collar above its stand, a skirt
+/// below its band.
 std::optional<sewing::WrappedPlacement> Arranger::band_upon(Index p,
                                                             const std::vector<Placed>& places) const {
   for (const Placed& placed : places) {
@@ -156,9 +169,11 @@ std::optional<sewing::WrappedPlacement> Arranger::band_upon(Index p,
     if (mine.empty()) continue;
     const Vec3 seam = sewing::place({mean_of(there)}, host).front() - host.axis;
     sewing::WrappedPlacement w = host;
-    hang_by(mine, false, p, w);
+    const Vec2 middle = plan_.graph.pieces[placed.piece].centroid;
+    const bool downwards = seam.y < (sewing::place({middle}, host).front() - host.axis).y;
+    hang_by(mine, downwards, p, w);
     w.radius += kClose;
-    w.height = seam.y + kSheetGap;
+    w.height = seam.y + (downwards ? -kSheetGap : kSheetGap);
     w.angle = std::atan2(seam.x, seam.z);
     return w;
   }
@@ -196,6 +211,35 @@ sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
   hang_by(sewn, downwards, p, w);
   w.height += downwards ? -kSheetGap : kSheetGap;
   w.angle = angle_of_band(p, w);
+  return w;
+}
+
+/// A garment of one tube: its upper end comes to where the trunk is as wide as that, a top's under the arms.
+sewing::WrappedPlacement Arranger::tube_around(Index p) const {
+  const GarmentPiece& piece = plan_.graph.pieces[p];
+  const measure::BodyFigure& f = stand_.figure();
+  sewing::WrappedPlacement w;
+  std::vector<std::array<Vec2, 2>> seam;
+  for (const GarmentTie& t : plan_.graph.ties)
+    if (t.a == p && t.b == p) seam.push_back({t.at_a, t.at_b});
+  const std::optional<Roll> roll = roll_of(std::move(seam), piece.centroid, piece.grain);
+  if (!roll) return band_around(p, 0);
+  w.height = piece.cover == Cover::kTorso ? f.armpit[0].y - kBelowArmpit : stand_.height_of_ring(roll->above);
+  const Vec2 axis = stand_.middle_at(w.height);
+  w.axis = {axis.x, 0, axis.y};
+  // As wide as the body is, but never so wide that the way to close it would be shorter beside the body.
+  const auto radius = [](double around, double covered) { return around / (2 * std::numbers::pi * covered); };
+  const auto body = [&](double low, double high) {
+    return stand_.radius_about(axis, low, high, 0.25) + kClose;
+  };
+  w.radius = std::clamp(body(w.height - 0.05, w.height + kClose), radius(roll->above, 0.98),
+                        radius(roll->above, kLeastOfTrunk));
+  const double grown = (body(f.hip - 0.05, w.height) - w.radius) / std::max(w.height - f.hip, 0.1);
+  const double most = (radius(roll->below, kLeastOfTrunk) - w.radius) / roll->length;
+  w.slope = std::clamp(std::max(roll->slope, std::min(grown, most)), 0.0, kSteepest);
+  w.anchor = roll->top;
+  w.turn = 0.5 * std::numbers::pi - std::atan2(roll->up.y, roll->up.x);
+  w.flipped = piece.outside < 0;
   return w;
 }
 

@@ -56,6 +56,8 @@ double BodyStand::reach(const std::vector<Vec2>& outline, int face, double margi
   return face * most;
 }
 
+double BodyStand::waist_girth() const { return measure::trunk_girth(cutter_, figure_, figure_.waist); }
+
 double BodyStand::height_of_ring(double girth) const {
   constexpr double kStep = 0.005, kTight = 1.03;
   double loosest = figure_.waist, widest = 0;

@@ -31,6 +31,9 @@ class BodyStand {
   /// or at it, where it is not too tight; the hip's where it is wider than all.
   double height_of_ring(double girth) const;
 
+  /// m, as a tape takes it.
+  double waist_girth() const;
+
   /// Farthest distance of the trunk between two heights from the upright axis through (x, z), m.
   double radius_about(Vec2 axis, double low, double high, double breadth) const;
 

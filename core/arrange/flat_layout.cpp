@@ -392,14 +392,26 @@ FlatLayout try_trunk(const GarmentGraph& graph, const std::vector<Index>& member
   return layout;
 }
 
-}  // namespace
-
-FlatLayout lay_out_trunk(GarmentGraph& graph, const std::vector<Index>& members) {
-  if (members.empty()) return empty_layout(graph.pieces.size());
+/// Laid out with the wearer's left on the left.
+FlatLayout lay_out_handed(GarmentGraph& graph, const std::vector<Index>& members) {
   FlatLayout layout = try_trunk(graph, members);
   if (hands_right(graph, layout) >= 0) return layout;
   for (GarmentPiece& piece : graph.pieces) piece.outside = -piece.outside;
   return try_trunk(graph, members);
+}
+
+}  // namespace
+
+FlatLayout lay_out_trunk(GarmentGraph& graph, const std::vector<Index>& members) {
+  constexpr double kLower = 2e-3;  // m
+  if (members.empty()) return empty_layout(graph.pieces.size());
+  FlatLayout layout = lay_out_handed(graph, members);
+  const bool told =
+      std::any_of(members.begin(), members.end(), [&](Index p) { return graph.pieces[p].face != 0; });
+  if (told || front_is_lower(graph, layout) > -kLower) return layout;
+  // The larger piece is no sure front: backs often are.
+  for (const Index p : members) graph.pieces[p].face = -layout.face[p];
+  return lay_out_handed(graph, members);
 }
 
 void lay_out_limb(const GarmentGraph& graph, const std::vector<Index>& members, Index root,

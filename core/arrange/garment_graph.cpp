@@ -1,6 +1,7 @@
 #include "core/arrange/garment_graph.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/arrange/piece_cover.h"
 #include "core/geometry/polygon2.h"
@@ -123,29 +124,6 @@ void find_outsides(const std::vector<std::array<Index, 3>>& parities, std::vecto
   }
 }
 
-/// Pieces whose names say nothing cover what the others, or the number of the garment's borders, tell.
-void cover_the_rest(GarmentGraph& graph, const std::vector<std::string>& absent) {
-  bool any[9] = {};
-  for (const std::string& name : absent) any[static_cast<int>(cover_of_name(name))] = true;
-  for (const GarmentPiece& p : graph.pieces) any[static_cast<int>(p.cover)] = true;
-  const auto has = [&](Cover c) { return any[static_cast<int>(c)]; };
-  Cover rest = Cover::kTorso;
-  if (!has(Cover::kTorso) && !has(Cover::kSleeve) && !has(Cover::kCollar) && !has(Cover::kHood)) {
-    if (has(Cover::kSkirt) || has(Cover::kLeg)) {
-      rest = has(Cover::kLeg) ? Cover::kLeg : Cover::kSkirt;
-    } else if (graph.rings == 2 || graph.rings == 3) {
-      rest = graph.rings == 2 ? Cover::kSkirt : Cover::kLeg;
-    }
-  }
-  double largest = 0;
-  for (const GarmentPiece& p : graph.pieces) largest = std::max(largest, p.area);
-  for (GarmentPiece& p : graph.pieces) {
-    if (p.cover != Cover::kUnknown) continue;
-    // A piece of a top that closes around a limb by itself is a sleeve.
-    p.cover = rest == Cover::kTorso && p.tube && p.area < 0.6 * largest ? Cover::kSleeve : rest;
-  }
-}
-
 /// Points evenly along the outline, from corner `start` on, the way the outline runs or backwards.
 std::vector<Vec2> around(const GarmentPiece& piece, Vec2 start, bool backwards) {
   std::vector<Vec2> line = piece.outline;
@@ -181,8 +159,7 @@ std::optional<FlatFit> fit_at(const std::vector<Vec2>& points, const GarmentPiec
 
 }  // namespace
 
-GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes,
-                                const std::vector<std::string>& absent) {
+GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes) {
   GarmentGraph graph;
   std::vector<std::vector<Index>> numbers;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
@@ -217,8 +194,9 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
     }
   }
   find_outsides(parities, graph.pieces);
-  for (const mesh::SewnPart& part : mesh::sewn_parts(meshes)) graph.rings += part.borders;
-  cover_the_rest(graph, absent);
+  for (const mesh::SewnPart& part : mesh::sewn_parts(meshes))
+    graph.borders.insert(graph.borders.end(), part.borders.begin(), part.borders.end());
+  std::sort(graph.borders.begin(), graph.borders.end(), std::greater<>());
   return graph;
 }
 

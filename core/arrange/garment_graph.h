@@ -40,12 +40,11 @@ struct GarmentTie {
 struct GarmentGraph {
   std::vector<GarmentPiece> pieces;
   std::vector<GarmentTie> ties;  ///< darts left out
-  int rings = 0;                 ///< borders that the sewn garment has
+  std::vector<double> borders;   ///< of the sewn garment: their lengths, m, longest first
 };
 
-/// `absent`: names of pieces that belong to the garment and are not in the pattern.
-GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes,
-                                const std::vector<std::string>& absent = {});
+/// What pieces cover only by their names: cover_unnamed() (garment_kind.h) tells the rest.
+GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes);
 
 /// The isometries that lay piece `from` on piece `to`, mirrored or not as told, when they are alike to 1 % of
 /// their size: the closest first, and of strips and other pieces alike both ways up several.

@@ -24,6 +24,17 @@ bool is_aside(const GarmentGraph& graph, Index p) {
   });
 }
 
+/// The highest y of a closed line at x; −∞ where it does not come there.
+double top_at(const std::vector<Vec2>& line, double x) {
+  double top = -HUGE_VAL;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vec2 a = line[i], b = line[(i + 1) % line.size()];
+    if ((a.x < x) == (b.x < x)) continue;
+    top = std::max(top, a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
+  }
+  return top;
+}
+
 }  // namespace
 
 Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members) {
@@ -72,6 +83,22 @@ void stand_in_the_middle(const GarmentGraph& graph, const std::vector<Index>& me
     }
   }
   for (const Index p : members) layout.pose[p].t.x -= (low + high) / 2;
+}
+
+double front_is_lower(const GarmentGraph& graph, const FlatLayout& layout) {
+  constexpr double kBeside = 0.015;  // m: what lies open in the middle, or meets there, ends beside it
+  double sum = 0;
+  for (const double x : {-kBeside, kBeside}) {
+    double top[2] = {-HUGE_VAL, -HUGE_VAL};  // of fronts, of backs
+    for (std::size_t p = 0; p < graph.pieces.size(); ++p) {
+      if (layout.face[p] == 0) continue;
+      double& most = top[layout.face[p] < 0];
+      most = std::max(most, top_at(outline_on_sheet(graph.pieces[p], layout.pose[p]), x));
+    }
+    if (top[0] == -HUGE_VAL || top[1] == -HUGE_VAL) return 0;
+    sum += top[1] - top[0];
+  }
+  return sum / 2;
 }
 
 std::vector<Vec2> outline_on_sheet(const GarmentPiece& piece, const FlatMove& pose) {

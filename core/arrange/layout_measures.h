@@ -17,6 +17,11 @@ Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members
 /// m, positive where pieces named left and right lie on their sides.
 double hands_right(const GarmentGraph& graph, const FlatLayout& layout);
 
+/// How much higher the upper edges of the back end than those of the front, at the garment's middle, m: of
+/// tops and skirts and trousers alike the front's middle is cut lower. Negative where front and back have
+/// changed places, 0 where nothing lies there.
+double front_is_lower(const GarmentGraph& graph, const FlatLayout& layout);
+
 /// Where the garment's middle runs on a piece that lies at `pose`, x on the sheet: where it is sewn to pieces
 /// of the other hand, else its own middle.
 double middle_of(const GarmentGraph& graph, Index piece, const FlatMove& pose);

@@ -56,8 +56,8 @@ std::vector<Index> worn_panels(const DrapeInput& input, const std::vector<mesh::
   std::vector<Index> worn;
   for (const mesh::SewnPart& part : parts) {
     const auto any = [&](auto is) { return std::any_of(part.panels.begin(), part.panels.end(), is); };
-    const bool garment =
-        part.borders > 1 && any([&](Index p) { return !belongs_to_another(input.pattern.panels[p].id); });
+    const bool garment = part.borders.size() > 1 &&
+                         any([&](Index p) { return !belongs_to_another(input.pattern.panels[p].id); });
     const bool keeps =
         &part == &*largest || largest->seams == 0 || garment || any([&](Index p) { return held[p] != 0; });
     if (keeps) worn.insert(worn.end(), part.panels.begin(), part.panels.end());

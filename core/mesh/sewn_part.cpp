@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
@@ -25,31 +25,42 @@ double area_of(const PanelMesh& m) {
   return area;
 }
 
-/// How often each edge of the sewn cloth bounds a triangle; its ends are roots of `vertices`.
-std::map<std::pair<Index, Index>, int> edges_of(const PanelMeshes& meshes, const std::vector<Index>& first,
-                                                DisjointSets& vertices) {
-  std::map<std::pair<Index, Index>, int> count;
+/// An edge of the sewn cloth: how often it bounds a triangle, and how long it is, m.
+struct SewnEdge {
+  int times = 0;
+  double length = 0;
+};
+
+/// Edges by their ends, which are roots of `vertices`.
+std::map<std::pair<Index, Index>, SewnEdge> edges_of(const PanelMeshes& meshes,
+                                                     const std::vector<Index>& first,
+                                                     DisjointSets& vertices) {
+  std::map<std::pair<Index, Index>, SewnEdge> edges;
   for (std::size_t m = 0; m < meshes.panels.size(); ++m) {
+    const std::vector<Vec2>& rest = meshes.panels[m].rest;
     for (const Tri& t : meshes.panels[m].triangles) {
       for (int k = 0; k < 3; ++k) {
-        const Index i = vertices.root(first[m] + t[k]), j = vertices.root(first[m] + t[(k + 1) % 3]);
-        ++count[{std::min(i, j), std::max(i, j)}];
+        const Index a = t[k], b = t[(k + 1) % 3];
+        const Index i = vertices.root(first[m] + a), j = vertices.root(first[m] + b);
+        SewnEdge& edge = edges[{std::min(i, j), std::max(i, j)}];
+        ++edge.times;
+        edge.length = length(rest[b] - rest[a]);
       }
     }
   }
-  return count;
+  return edges;
 }
 
-/// One vertex of every border.
-std::set<Index> borders_of(const PanelMeshes& meshes, const std::vector<Index>& first,
-                           DisjointSets& vertices) {
-  const std::map<std::pair<Index, Index>, int> count = edges_of(meshes, first, vertices);
-  // Borders are counted after their vertices have been joined along them.
-  for (const auto& [edge, times] : count)
-    if (times == 1) vertices.join(edge.first, edge.second);
-  std::set<Index> borders;
-  for (const auto& [edge, times] : count)
-    if (times == 1) borders.insert(vertices.root(edge.first));
+/// The length of every border, m, by one of its vertices.
+std::map<Index, double> borders_of(const PanelMeshes& meshes, const std::vector<Index>& first,
+                                   DisjointSets& vertices) {
+  const std::map<std::pair<Index, Index>, SewnEdge> edges = edges_of(meshes, first, vertices);
+  // Borders are told apart after their vertices have been joined along them.
+  for (const auto& [ends, edge] : edges)
+    if (edge.times == 1) vertices.join(ends.first, ends.second);
+  std::map<Index, double> borders;
+  for (const auto& [ends, edge] : edges)
+    if (edge.times == 1) borders[vertices.root(ends.first)] += edge.length;
   return borders;
 }
 
@@ -75,10 +86,11 @@ std::vector<SewnPart> sewn_parts(const PanelMeshes& meshes) {
   const auto part = [&](Index panel) -> SewnPart& { return parts[part_of.at(panels.root(panel))]; };
   for (const MatchedSeam& seam : meshes.seams)
     if (!seam.pairs.empty()) ++part(seam.pairs.front().a.panel).seams;
-  for (const Index vertex : borders_of(meshes, first, vertices)) {
+  for (const auto& [vertex, around] : borders_of(meshes, first, vertices)) {
     const auto after = std::upper_bound(first.begin(), first.end(), vertex);
-    ++part(static_cast<Index>(after - first.begin()) - 1).borders;
+    part(static_cast<Index>(after - first.begin()) - 1).borders.push_back(around);
   }
+  for (SewnPart& each : parts) std::sort(each.borders.begin(), each.borders.end(), std::greater<>());
   return parts;
 }
 

@@ -13,7 +13,8 @@ struct SewnPart {
   std::vector<Index> panels;  ///< rising
   double area = 0;            ///< m², flat
   int seams = 0;              ///< darts included
-  int borders = 0;            ///< closed lines that bound the sewn cloth; a disc has one, a tube two
+  /// Lengths of the closed lines that bound the sewn cloth, m, longest first; a disc has one, a tube two.
+  std::vector<double> borders;
 };
 
 /// All parts, each panel in one of them, in the order of their first panels.

@@ -107,7 +107,7 @@ void check_sides(const PreflightInput& input, std::span<const BodyProbe> probes,
   const auto count = static_cast<Index>(input.pattern.panels.size());
   std::vector<int> facing(count);  // what is closed all around, as a cushion is, has no side for the body
   for (const mesh::SewnPart& part : mesh::sewn_parts(input.meshes))
-    for (const Index p : part.panels) facing[p] = part.borders > 0 ? facing_of(assembly, probes, p) : 0;
+    for (const Index p : part.panels) facing[p] = !part.borders.empty() ? facing_of(assembly, probes, p) : 0;
   Finding winding =
       found(FindingKind::kWindsOtherWay,
             "outlines that wind the other way than those of the pieces that they are sewn to: the wrong side "

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/pattern/seams/notch_cuts.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -194,8 +195,9 @@ SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, Cut
   const Index count = static_cast<Index>(whole.runs.size());
   std::vector<std::vector<double>> cuts(whole.runs.size());
   std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner
+  if (kind == CutKind::kNotches) cuts = notch_cuts(whole);
   for (Index r = 0; r < count; ++r)
-    if (meets_halves(whole, r)) cuts[r] = {whole.runs[r].length / 2};
+    if (cuts[r].empty() && meets_halves(whole, r)) cuts[r] = {whole.runs[r].length / 2};
   for (const bool darts : {true, false}) {
     for (Index r = 0; r < count; ++r) {
       if (whole.runs[r].length < kCutWeights.shortest_mm || !cuts[r].empty() || met[r] ||
@@ -206,7 +208,8 @@ SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, Cut
         cut_like_mirror(whole, r, cuts);
         continue;
       }
-      const bool exact = kind == CutKind::kExactFirst || kind == CutKind::kExactSecond;
+      const bool exact =
+          kind == CutKind::kExactFirst || kind == CutKind::kExactSecond || kind == CutKind::kNotches;
       const Two two = best_two(whole, lines, r, exact && !darts ? kCutWeights.exact : kCutWeights.ease);
       if (darts) {
         const Line* one = best_one(whole, lines, r);

@@ -11,6 +11,7 @@ enum class CutKind {
   kExactSecond,  ///< the same, the two in the other order
   kFirstFirst,   ///< those, and edges that meet two others end to end, with a little ease
   kSecondFirst,  ///< the same, the two in the other order
+  kNotches,      ///< edges at notches that bound a part with a partner, and then as kExactFirst
 };
 
 /// Whether the panel is one side's of what it is a part of, and there is the other side's.

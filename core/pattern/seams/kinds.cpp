@@ -120,6 +120,16 @@ bool is_named_alike(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return x.kind != PieceKind::kOther || (x.face * y.face != 0 && !x.layer && !y.layer);
 }
 
+/// Whether the run's piece is known to hang from the waist.
+bool is_bottom(const SeamModel& m, const SeamRun& run) {
+  return m.words[run.panel].kind == PieceKind::kSkirt || m.words[run.panel].kind == PieceKind::kLegs;
+}
+
+/// Whether the run may be a brief's crotch: short, between the openings for the legs.
+bool is_crotch(const SeamModel& m, const SeamRun& run) {
+  return run.length < kPairWeights.crotch * m.girth[run.panel] && lies_between_hollows(m, run);
+}
+
 }  // namespace
 
 int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
@@ -198,8 +208,9 @@ double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   constexpr double mostly = kPairWeights.facing, fully = kPairWeights.facing_fully;
   if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
   const double ua = a.up, ub = b.up;
-  if (ua < -mostly && ub < -mostly) return kPairWeights.two_hems;
-  if (ua > fully && ub > fully) return kPairWeights.two_waists;
+  if (ua < -mostly && ub < -mostly) return is_crotch(m, a) && is_crotch(m, b) ? 0 : kPairWeights.two_hems;
+  if (ua > fully && ub > fully)
+    return is_bottom(m, a) && is_bottom(m, b) ? kPairWeights.named_waists : kPairWeights.two_waists;
   const double level = std::max(std::abs(ua), std::abs(ub)), upright = std::min(std::abs(ua), std::abs(ub));
   if (level > fully && upright < kPairWeights.side_up && is_named_alike(m, a, b))
     return kPairWeights.side_to_hem;
@@ -207,6 +218,7 @@ double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (a.panel == b.panel) return kPairWeights.hem_to_own_waist;
   const bool larger_hangs = (m.girth[a.panel] > m.girth[b.panel]) == (ua > 0);
   const int faces = m.words[a.panel].face * m.words[b.panel].face;
+  if (faces < 0 && is_named_alike(m, a, b)) return kPairWeights.hangs_across;
   return (larger_hangs ? kPairWeights.larger_hangs : kPairWeights.smaller_hangs) +
          kPairWeights.hanging_face * faces;
 }

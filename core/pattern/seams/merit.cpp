@@ -35,14 +35,18 @@ bool ends_in_middle(const SeamModel& m, const SeamRun& run) {
   return m.twin[run.panel] == run.panel && run.mirror_edge == run.edge && run.to - run.from == 0.5;
 }
 
+bool is_cut_at_start(const SeamRun& run) { return run.from > 0 && !run.from_notch; }
+bool is_cut_at_end(const SeamRun& run) { return run.to < 1 && !run.to_notch; }
+
+/// Whether an end of it is none of the drawing's, neither a corner nor a notch.
+bool is_cut(const SeamRun& run) { return is_cut_at_start(run) || is_cut_at_end(run); }
+
 /// Ends of both runs that meet and are cuts: nothing is there to cut them for.
 int cut_ends_that_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b, bool along) {
   if (ends_in_middle(m, a) && ends_in_middle(m, b)) return 0;
-  const bool b_start = b.from > 0, b_end = b.to < 1;
-  return (a.from > 0 && (along ? b_start : b_end)) + (a.to < 1 && (along ? b_end : b_start));
+  const bool b_start = is_cut_at_start(b), b_end = is_cut_at_end(b);
+  return (is_cut_at_start(a) && (along ? b_start : b_end)) + (is_cut_at_end(a) && (along ? b_end : b_start));
 }
-
-bool is_cut(const SeamRun& run) { return run.from > 0 || run.to < 1; }
 
 /// What the lengths say, `lengths` or not: along the grain cloth is gathered seldom.
 double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool counterparts, bool gathers) {

@@ -51,7 +51,7 @@ void measure(const pattern::PanelEdge& edge, SeamRun& run) {
 
 /// Notches within 3 mm of the edge, as distances from its start.
 std::vector<double> notches_on(const pattern::Panel& panel, const pattern::PanelEdge& edge) {
-  constexpr double kNear = 3, kStep = 1;  // mm
+  constexpr double kNear = 3, kStep = 1, kFine = 0.05;  // mm
   std::vector<double> found;
   const double whole = pattern::arc_length(edge);
   for (const pattern::Notch& notch : panel.notches) {
@@ -65,7 +65,15 @@ std::vector<double> notches_on(const pattern::Panel& panel, const pattern::Panel
         where = s;
       }
     }
-    if (where > kNear && where < whole - kNear) found.push_back(where);
+    if (where <= kNear || where >= whole - kNear) continue;
+    const double rough = where;
+    for (double s = rough - kStep; s < rough + kStep; s += kFine) {
+      const double d = length(pattern::point_at_length(edge, s) - notch.at);
+      if (d >= best) continue;
+      best = d;
+      where = s;
+    }
+    found.push_back(where);
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -164,11 +172,8 @@ void find_between(SeamModel& m) {
 
 /// Whether the piece has a shoulder by its shape: a straight edge between two hollow ones, armhole and neck.
 bool has_shoulder(const SeamModel& m, Index panel) {
-  const auto hollow = [](const SeamRun& run) { return run.turn.back() < kPairWeights.neck_deg; };
-  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
-    const SeamRun& shoulder = m.runs[before.next];
-    return before.panel == panel && hollow(before) && bend_of(shoulder) < kPairWeights.straight_deg &&
-           hollow(m.runs[shoulder.next]) && &m.runs[shoulder.next] != &before;
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+    return run.panel == panel && bend_of(run) < kPairWeights.straight_deg && lies_between_hollows(m, run);
   });
 }
 
@@ -206,6 +211,14 @@ double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& 
 
 bool is_lapel(const SeamModel& m, Index p) {
   return m.words[p].kind == PieceKind::kCollar && m.words[p].face > 0 && m.lines[p] < 4;
+}
+
+bool lies_between_hollows(const SeamModel& m, const SeamRun& run) {
+  const auto hollow = [](const SeamRun& r) { return r.turn.back() < kPairWeights.neck_deg; };
+  const SeamRun& after = m.runs[run.next];
+  return hollow(after) && std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
+           return &m.runs[before.next] == &run && &before != &after && hollow(before);
+         });
 }
 
 double faces_right(const SeamModel& m, const SeamRun& run) {
@@ -267,7 +280,11 @@ SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r,
     rest.from = f;
     rest.angle = 180;
     rest.next = whole.next;
+    const bool notch = std::find(whole.notches.begin(), whole.notches.end(), cut) != whole.notches.end();
+    rest.from_notch = notch;
+    rest.to_notch = whole.to_notch;
     model.runs[at].to = f;
+    model.runs[at].to_notch = notch;
     model.runs[at].next = static_cast<Index>(model.runs.size());
     measure(edge, model.runs[at]);
     measure(edge, rest);

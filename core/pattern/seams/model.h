@@ -17,10 +17,11 @@ struct SeamRun {
   static constexpr std::size_t kSamples = 9;
 
   Index panel = kNone, edge = kNone;
-  double from = 0, to = 1;  ///< fractions of the edge's length
-  double length = 0;        ///< mm
-  double angle = 180;       ///< degrees, of the cloth's corner at its start
-  Index next = kNone;       ///< run after it around the outline
+  double from = 0, to = 1;                    ///< fractions of the edge's length
+  bool from_notch = false, to_notch = false;  ///< it begins, ends inside the edge at a notch
+  double length = 0;                          ///< mm
+  double angle = 180;                         ///< degrees, of the cloth's corner at its start
+  Index next = kNone;                         ///< run after it around the outline
   double up = 0;      ///< how much the cloth's outside at its whole edge faces up along the grain, -1 to 1
   bool side = false;  ///< faces up, and so does another edge of its length: neither is the upper end
   bool cap = false;   ///< of a sleeve's edges the one that bulges most
@@ -77,6 +78,9 @@ SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r,
 
 /// Degrees that the cloth has between the end of one edge and the start of the next.
 double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& after);
+
+/// Whether the run has a hollow edge on either side of it, as a shoulder has, or a brief's crotch.
+bool lies_between_hollows(const SeamModel& model, const SeamRun& run);
 
 /// How much the cloth's outside at the run faces right of the grain, -1 to 1.
 double faces_right(const SeamModel& model, const SeamRun& run);

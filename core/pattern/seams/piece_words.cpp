@@ -32,7 +32,7 @@ PieceKind kind_of(const std::vector<std::string>& words) {
       {"pants", PieceKind::kLegs},     {"trouser", PieceKind::kLegs},    {"trousers", PieceKind::kLegs},
       {"leg", PieceKind::kLegs},       {"sleeve", PieceKind::kSleeve},   {"slv", PieceKind::kSleeve},
       {"cuff", PieceKind::kCuff},      {"ins", PieceKind::kInsert},      {"insert", PieceKind::kInsert},
-      {"godet", PieceKind::kInsert},   {"gusset", PieceKind::kInsert}};
+      {"gore", PieceKind::kSkirt},     {"godet", PieceKind::kInsert},    {"gusset", PieceKind::kInsert}};
   const auto has = [&](const char* word) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
@@ -97,7 +97,7 @@ PieceWords words_of(const std::string& name) {
     if (is({"f", "fr", "frt", "fnt", "ft", "cf"}) || starts("front", 'f')) words.face = 1;
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
     if (is({"pant", "pants", "trouser", "trousers", "leg"})) words.leg = true;
-    if (is({"side", "sidepanel", "flank"})) words.flank = true;
+    if (is({"side", "sidepanel", "flank"})) words.flank = words.kind != PieceKind::kHood;
     if (is({"stand", "neckband"}) && words.kind == PieceKind::kCollar) words.stand = true;
     if (is({"lining", "underlining", "facing", "interfacing", "interlining", "fusing", "fusible", "canvas",
             "pocket", "welt", "bag", "flap", "undercollar"}))

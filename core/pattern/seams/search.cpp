@@ -222,7 +222,7 @@ FoundSeams best_garment(const pattern::Pattern& pattern, const FoundSeams& start
   consider(start);
   std::vector<std::vector<double>> known{cuts_of(start.model)};
   for (const CutKind kind : {CutKind::kDarts, CutKind::kExactFirst, CutKind::kExactSecond,
-                             CutKind::kFirstFirst, CutKind::kSecondFirst}) {
+                             CutKind::kFirstFirst, CutKind::kSecondFirst, CutKind::kNotches}) {
     context.progress("seams", 0.1 * static_cast<double>(1 + static_cast<int>(kind)));
     FoundSeams cut = start;
     cut.model = with_likely_cuts(pattern, start.model, kind);

@@ -64,13 +64,16 @@ struct PairWeights {
   double level_up = 0.995;     ///< a straight neck is level
   double off_neck = 0.6;       ///< how much an edge faces the side that is at no neck
   double two_hems = -8;
+  double crotch = 0.12;  ///< of the outline's length, a lower end that two leg openings leave at most
   double two_waists = -5;
-  double side_to_hem = -4;  ///< of pieces of one kind; a side faces up or down by at most …
-  double side_up = 0.2;     ///< … this
+  double named_waists = -12;  ///< the same of pieces that are known to hang from the waist
+  double side_to_hem = -4;    ///< of pieces of one kind; a side faces up or down by at most …
+  double side_up = 0.2;       ///< … this
   double hem_to_own_waist = -3;
   double larger_hangs = 0.8;    ///< what hangs below is mostly the larger, a skirt from its band: so …
   double smaller_hangs = 0.4;   ///< … and otherwise
   double hanging_face = 1;      ///< front to front, back to back; against front to back
+  double hangs_across = -8;     ///< a front below a back that is its like: both are worn at one height
   double hangs = 1.5;           ///< what kinds of pieces say that one hangs from the other …
   double hangs_not = -6;        ///< … or does not
   double half_takes_all = -6;   ///< an end that both halves of a bodice or of trousers come to, for one alone
@@ -217,12 +220,14 @@ struct SeriesWeights {
 
 /// Where long edges may be cut for others.
 struct CutWeights {
-  double alike = 0.01;      ///< share of the length by which neighbours differ that lie end to end
-  double ease = 0.045;      ///< that a long edge may have over the two
-  double exact = 0.004;     ///< that lengths may differ which were drawn to fit
-  double shortest_mm = 60;  ///< shorter edges are sewn to one other
-  double most_parts = 5;    ///< the shorter of two lines is this part of the edge or more
-  double dart_deg = 50;     ///< the widest between a dart's legs
+  double alike = 0.01;        ///< share of the length by which neighbours differ that lie end to end
+  double ease = 0.045;        ///< that a long edge may have over the two
+  double exact = 0.004;       ///< that lengths may differ which were drawn to fit
+  double shortest_mm = 60;    ///< shorter edges are sewn to one other
+  double notch_mm = 1;        ///< that the part beside a notch may differ by from the edge sewn to it
+  double least_part_mm = 15;  ///< shorter parts between notches tell of nothing
+  double most_parts = 5;      ///< the shorter of two lines is this part of the edge or more
+  double dart_deg = 50;       ///< the widest between a dart's legs
   double dart_least_deg = 0.5;
   double dart_ease = 0.04;  ///< share that its legs may differ by
   double rising = 0.5;      ///< climb of lines whose lower ends meet

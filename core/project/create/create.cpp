@@ -73,6 +73,26 @@ pattern::Panel turned_over(const pattern::Panel& panel, std::string id) {
   return other;
 }
 
+/// Whether the outline is its own mirror image: its corners and edges come in the same order both ways
+/// around.
+bool is_own_mirror(const pattern::Loop& loop) {
+  constexpr double kSame = 0.5;  // mm
+  const std::size_t n = loop.edges.size();
+  const auto corner = [&](std::size_t k) { return loop.edges[k % n].curves.front().p0; };
+  const auto differ = [&](std::size_t k, std::size_t other) {
+    const auto far = [](double a, double b) { return std::abs(a - b) > kSame; };
+    return far(pattern::arc_length(loop.edges[k]), pattern::arc_length(loop.edges[other])) ||
+           far(length(corner(k + 1) - corner(k)), length(corner(other + 1) - corner(other))) ||
+           far(length(corner(k + 2) - corner(k)), length(corner(other + 1) - corner(other + n - 1)));
+  };
+  for (std::size_t shift = 0; shift < n; ++shift) {
+    bool same = true;
+    for (std::size_t k = 0; k < n && same; ++k) same = !differ(k, (shift + n - k) % n);
+    if (same) return true;
+  }
+  return false;
+}
+
 std::string unused_id(const std::string& wanted, std::set<std::string>& used) {
   std::string id = wanted;
   for (int n = 2; !used.insert(id).second; ++n) id = wanted + "_" + std::to_string(n);
@@ -84,10 +104,13 @@ std::string unused_id(const std::string& wanted, std::set<std::string>& used) {
 void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int count, int mirrored,
                     const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
                     std::set<std::string>& used, NewProject& made, std::vector<char>& clockwise) {
+  // More than a pair of a piece that is its own image are gores, which stand in a row.
+  const bool row = count > 2 && is_own_mirror(panel.outline);
   for (int k = 0; k < count; ++k) {
-    const bool over = k >= count - mirrored;
+    const bool over = !row && k >= count - mirrored;
     pattern::Panel copy = over ? turned_over(panel, "") : panel;
-    copy.id = unused_id(over && count > 1 ? drawn.name + "_mirrored" : drawn.name, used);
+    const std::string end = row ? "_" + std::to_string(k + 1) : over && count > 1 ? "_mirrored" : "";
+    copy.id = unused_id(drawn.name + end, used);
     project::ProjectPiece piece = inline_piece(copy, {});
     if (!over) {
       const std::string& unit = drawing.unit.name;

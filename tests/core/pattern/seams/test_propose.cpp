@@ -286,6 +286,35 @@ TEST(ProposeSeams, TakeNotchesIntoAccount) {
   EXPECT_TRUE(found);
 }
 
+TEST(ProposeSeams, EndASeamAtANotch) {
+  // A kimono: the sides of front and back take the sleeves down to the notch and each other below it.
+  const auto body = [](const std::string& id, double neck) {
+    pattern::Panel p = garments::piece(
+        id, {{-280, 0}, {280, 0}, {280, 700}, {90, 700}, {0, 700 - neck}, {-90, 700}, {-280, 700}});
+    p.notches = {{{280, 450}, 0, {}}, {{-280, 450}, 0, {}}};
+    return p;
+  };
+  const auto sleeve = [](const std::string& id) {
+    pattern::Panel p = garments::piece(id, {{0, 0}, {420, 30}, {420, 470}, {0, 500}});
+    p.notches = {{{0, 250}, 0, {}}};
+    return p;
+  };
+  const pattern::Pattern pattern{
+      {body("front", 90), body("back", 30), sleeve("sleeve_left"), sleeve("sleeve_right")}, {}};
+  int sleeves = 0, sides = 0;
+  for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true})) {
+    if (p.confidence < 0.5) continue;  // which of two equal sleeves is whose is no more than even
+    const bool set_in = (p.seam.a[0].panel < 2) != (p.seam.b[0].panel < 2);
+    const bool side = p.seam.a[0].panel != p.seam.b[0].panel && p.seam.a[0].panel < 2 &&
+                      p.seam.b[0].panel < 2 && std::abs(p.length_a - 450) < 2;
+    EXPECT_FALSE(set_in && std::abs(p.length_a - 250) > 2 && std::abs(p.length_a - 500) > 2) << p.length_a;
+    sleeves += set_in ? static_cast<int>(std::lround(p.length_a / 250)) : 0;
+    sides += side && p.confidence > 0.8;
+  }
+  EXPECT_EQ(sleeves, 4) << "each sleeve to the front and to the back";
+  EXPECT_EQ(sides, 2);
+}
+
 TEST(ProposeSeams, AreSureOfPiecesThatMayChangeRound) {
   // A tube skirt of two like pieces and a band in two like halves: which half comes to which piece is all
   // one.
