@@ -29,6 +29,14 @@ class TakenEdges {
       });
     });
   }
+  /// Whether a part of one of its edges is sewn, and this is more of it: a sleeve is not set in by half.
+  bool goes_on(const SeamProposal& p) const {
+    const std::vector<pattern::SeamEdge> edges = both_sides(p);
+    return std::any_of(edges.begin(), edges.end(), [&](const pattern::SeamEdge& e) {
+      return std::any_of(taken_.begin(), taken_.end(),
+                         [&](const pattern::SeamEdge& t) { return t.panel == e.panel && t.edge == e.edge; });
+    });
+  }
   void take(const SeamProposal& p) {
     for (const pattern::SeamEdge& e : both_sides(p)) taken_.push_back(e);
   }
@@ -85,7 +93,7 @@ std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const 
     const std::vector<pattern::SeamEdge> edges = both_sides(p);
     const bool wanted = std::any_of(edges.begin(), edges.end(),
                                     [&](const pattern::SeamEdge& e) { return loose[e.panel] != 0; });
-    if (sewn[i] || !wanted || p.confidence < kLikely || taken.clashes(p)) continue;
+    if (sewn[i] || p.confidence < kLikely || taken.clashes(p) || !(wanted || taken.goes_on(p))) continue;
     sewn[i] = true;
     taken.take(p);
   }

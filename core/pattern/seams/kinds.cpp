@@ -29,6 +29,11 @@ bool is_cuffed(const SeamModel& m, const SeamRun& end, const SeamRun& cuff) {
 /// A piece of two edges has its sides somewhere on them, and none of the two is an upper or lower end.
 bool has_no_sides(const SeamModel& m, const SeamRun& run) { return m.lines[run.panel] < 3; }
 
+/// Whether both are of gores that numbers tell apart.
+bool in_one_row(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  return m.rows[a.panel].row != kNone && m.rows[a.panel].row == m.rows[b.panel].row;
+}
+
 /// How much the run faces the middle of the body, -1 to 1, if its piece is a side's front or back, seen from
 /// outside; 0 where that is not known.
 double inwards(const SeamModel& m, const SeamRun& run) {
@@ -120,9 +125,24 @@ bool is_named_alike(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return x.kind != PieceKind::kOther || (x.face * y.face != 0 && !x.layer && !y.layer);
 }
 
-/// Whether the run's piece is known to hang from the waist.
-bool is_bottom(const SeamModel& m, const SeamRun& run) {
-  return m.words[run.panel].kind == PieceKind::kSkirt || m.words[run.panel].kind == PieceKind::kLegs;
+/// Whether an edge beside the run is hollow: a neck, or the waist of a circle skirt.
+bool is_beside_hollow(const SeamModel& m, const SeamRun& run) {
+  const auto hollow = [](const SeamRun& r) { return r.turn.back() < kPairWeights.neck_deg; };
+  return hollow(m.runs[run.next]) || std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
+           return &m.runs[before.next] == &run && hollow(before);
+         });
+}
+
+/// What is said of two edges that are both level and up: two waists are never sewn together. But beside a
+/// neck they are a kimono's shoulders, or a cape's (of bodices that are named so shoulders slope), and beside
+/// a waist the ends of a skirt that is cut as half a circle.
+double level_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  const bool beside = is_beside_hollow(m, a) && is_beside_hollow(m, b);
+  const auto unnamed = [](const PieceWords& w) { return w.guessed || w.kind == PieceKind::kOther; };
+  if (beside && x.face * y.face < 0 && unnamed(x) && unnamed(y)) return kPairWeights.level_shoulder;
+  if (beside && a.panel == b.panel && x.kind == PieceKind::kSkirt) return 0;
+  return in_one_row(m, a, b) ? kPairWeights.waists_in_row : kPairWeights.two_waists;
 }
 
 /// Whether the run may be a brief's crotch: short, between the openings for the legs.
@@ -207,18 +227,18 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
 double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   constexpr double mostly = kPairWeights.facing, fully = kPairWeights.facing_fully;
   if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
   const double ua = a.up, ub = b.up;
   if (ua < -mostly && ub < -mostly) return is_crotch(m, a) && is_crotch(m, b) ? 0 : kPairWeights.two_hems;
-  if (ua > fully && ub > fully)
-    return is_bottom(m, a) && is_bottom(m, b) ? kPairWeights.named_waists : kPairWeights.two_waists;
+  if (ua > fully && ub > fully) return level_merit(m, a, b);
   const double level = std::max(std::abs(ua), std::abs(ub)), upright = std::min(std::abs(ua), std::abs(ub));
   if (level > fully && upright < kPairWeights.side_up && is_named_alike(m, a, b))
     return kPairWeights.side_to_hem;
   if (std::min(ua, ub) > -mostly || std::max(ua, ub) < mostly) return 0;
   if (a.panel == b.panel) return kPairWeights.hem_to_own_waist;
   const bool larger_hangs = (m.girth[a.panel] > m.girth[b.panel]) == (ua > 0);
-  const int faces = m.words[a.panel].face * m.words[b.panel].face;
-  if (faces < 0 && is_named_alike(m, a, b)) return kPairWeights.hangs_across;
+  const int faces = x.face * y.face;
+  if (faces < 0 && x.kind == PieceKind::kOther && is_named_alike(m, a, b)) return kPairWeights.hangs_across;
   return (larger_hangs ? kPairWeights.larger_hangs : kPairWeights.smaller_hangs) +
          kPairWeights.hanging_face * faces;
 }

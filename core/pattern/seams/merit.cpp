@@ -86,6 +86,24 @@ bool is_of_vent(const SeamModel& m, Index i, Index j) {
   return m.mirror[i] != j && (stands_out(m, a) || stands_out(m, b));
 }
 
+/// 1 where run r of a piece that is its own mirror image is of its right half as drawn upright, -1 of its
+/// left one, 0 where that is not known.
+int half_of(const SeamModel& m, Index r) {
+  const SeamRun& run = m.runs[r];
+  const Index image = m.mirror[r];
+  if (m.twin[run.panel] != run.panel || image == kNone || image == r || !m.upright[run.panel]) return 0;
+  const Vec2 up = m.up[run.panel], right{up.y, -up.x};
+  constexpr std::size_t kMiddle = SeamRun::kSamples / 2;
+  return dot(run.at[kMiddle] - m.runs[image].at[kMiddle], right) > 0 ? 1 : -1;
+}
+
+/// Whether the seam would join the wearer's left of a front to the right of a back: seen from their right
+/// sides the one's right half meets the other's left one.
+bool crosses_over(const SeamModel& m, Index i, Index j, bool along) {
+  if (m.words[m.runs[i].panel].face * m.words[m.runs[j].panel].face >= 0) return false;
+  return half_of(m, i) * half_of(m, j) * (along ? -1 : 1) > 0;
+}
+
 }  // namespace
 
 double length_merit(double a, double b) {
@@ -128,6 +146,7 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   std::array<double, 2> both{};
   for (const bool along : {false, true})
     both[along] = merit + kPairWeights.height * height_merit(m, a, b, along) + notch_merit(a, b, along) +
+                  (crosses_over(m, i, j, along) ? kPairWeights.crosses_over : 0) +
                   kPairWeights.cut_to_cut * cut_ends_that_meet(m, a, b, along);
   // Parts were cut to fit: that they agree says less, and together they are one coincidence.
   if (lengths && (is_cut(a) || is_cut(b)))

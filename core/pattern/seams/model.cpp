@@ -193,11 +193,15 @@ void name_trunk(SeamModel& m) {
   for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
     if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
     words[p].kind = kTorso;
+    words[p].guessed = true;
     top = true;
   }
   if (!top || covered) return;
-  for (PieceWords& w : words)
-    if (unnamed(w) && (w.face != 0 || w.flank)) w.kind = kTorso;
+  for (PieceWords& w : words) {
+    if (!unnamed(w) || (w.face == 0 && !w.flank)) continue;
+    w.kind = kTorso;
+    w.guessed = true;
+  }
 }
 
 }  // namespace

@@ -66,13 +66,15 @@ struct PairWeights {
   double two_hems = -8;
   double crotch = 0.12;  ///< of the outline's length, a lower end that two leg openings leave at most
   double two_waists = -5;
-  double named_waists = -12;  ///< the same of pieces that are known to hang from the waist
-  double side_to_hem = -4;    ///< of pieces of one kind; a side faces up or down by at most …
-  double side_up = 0.2;       ///< … this
+  double level_shoulder = 1.5;  ///< but of a front and a back, beside their necks
+  double waists_in_row = -12;   ///< the same of gores in a row
+  double side_to_hem = -4;      ///< of pieces of one kind; a side faces up or down by at most …
+  double side_up = 0.2;         ///< … this
   double hem_to_own_waist = -3;
   double larger_hangs = 0.8;    ///< what hangs below is mostly the larger, a skirt from its band: so …
   double smaller_hangs = 0.4;   ///< … and otherwise
   double hanging_face = 1;      ///< front to front, back to back; against front to back
+  double crosses_over = -4;     ///< the left of a front to the right of a back
   double hangs_across = -8;     ///< a front below a back that is its like: both are worn at one height
   double hangs = 1.5;           ///< what kinds of pieces say that one hangs from the other …
   double hangs_not = -6;        ///< … or does not
@@ -138,7 +140,7 @@ struct PairWeights {
   double twin_upright_width = 0.1;
 
   // A piece sewn to itself: bands and sleeves are tubes, a front is none.
-  double own_front = -3;
+  double own_front = -5;
   double own_tube = 1;
   double own_tube_rise = 0.9;
   double own_piece = -1;

@@ -60,6 +60,16 @@ TEST(AcceptSeams, WhatFitsNowhereElseIsSewnBetweenPiecesThatHangTogether) {
   EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.6), (std::vector<bool>{true, true, true}));
 }
 
+TEST(AcceptSeams, TheRestOfAnEdgeThatIsSewnInPartIsSewnWithIt) {
+  const pattern::Pattern pattern = front_and_back_and({"sleeve"});
+  seams::SeamProposal first = proposal(0.9, {0, 1}, {2, 3}), rest = proposal(0.6, {1, 3}, {2, 3});
+  first.seam.b[0].to = 0.5;
+  rest.seam.b[0].from = 0.5;
+  const std::vector<seams::SeamProposal> proposals{first, proposal(0.85, {0, 3}, {1, 1}), rest,
+                                                   proposal(0.6, {0, 2}, {1, 2})};
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8), (std::vector<bool>{true, true, true, false}));
+}
+
 TEST(AcceptSeams, WhereNothingIsSureTheLikelyIsSewn) {
   const std::vector<seams::SeamProposal> proposals{proposal(0.7, {0, 1}, {1, 3}),
                                                    proposal(0.6, {0, 3}, {1, 1})};

@@ -290,7 +290,7 @@ TEST(ProposeSeams, EndASeamAtANotch) {
   // A kimono: the sides of front and back take the sleeves down to the notch and each other below it.
   const auto body = [](const std::string& id, double neck) {
     pattern::Panel p = garments::piece(
-        id, {{-280, 0}, {280, 0}, {280, 700}, {90, 700}, {0, 700 - neck}, {-90, 700}, {-280, 700}});
+        id, {{-280, 0}, {280, 0}, {280, 700}, {90, 700, Vec2{0, 700 - neck}}, {-90, 700}, {-280, 700}});
     p.notches = {{{280, 450}, 0, {}}, {{-280, 450}, 0, {}}};
     return p;
   };
@@ -300,7 +300,7 @@ TEST(ProposeSeams, EndASeamAtANotch) {
     return p;
   };
   const pattern::Pattern pattern{
-      {body("front", 90), body("back", 30), sleeve("sleeve_left"), sleeve("sleeve_right")}, {}};
+      {body("front", 200), body("back", 60), sleeve("sleeve_left"), sleeve("sleeve_right")}, {}};
   int sleeves = 0, sides = 0;
   for (const seams::SeamProposal& p : seams::propose_seams(pattern, {true})) {
     if (p.confidence < 0.5) continue;  // which of two equal sleeves is whose is no more than even

@@ -52,6 +52,64 @@ TEST(ProposeByKinds, HangASkirtFromTheBandAndTheBandFromTheBodice) {
   }
 }
 
+TEST(ProposeByKinds, SewABriefsCrotchBetweenTheOpeningsForTheLegs) {
+  const auto brief = [](const std::string& id, double crotch) {
+    return garments::piece(id, {{-40, -crotch},
+                                {40, -crotch, Vec2{60, -crotch + 90}, Vec2{170, -150}},
+                                {215, -110},
+                                {205, 0},
+                                {-205, 0},
+                                {-215, -110, Vec2{-170, -150}, Vec2{-60, -crotch + 90}}});
+  };
+  const pattern::Pattern pattern{{brief("front", 300), brief("back", 330)}, {}};
+  const std::vector<SeamProposal> proposals = seams::propose_seams(pattern, {true});
+  EXPECT_TRUE(std::any_of(proposals.begin(), proposals.end(), [](const SeamProposal& p) {
+    return p.confidence > 0.8 && p.seam.a[0].edge == 0 && p.seam.b[0].edge == 0;
+  }));
+}
+
+TEST(ProposeByKinds, SewTheLevelShouldersOfACapeLeftToLeft) {
+  const auto cape = [](const std::string& id, double neck) {
+    return garments::piece(id, {{-750, 0, Vec2{-750, -1000}, Vec2{750, -1000}},
+                                {750, 0},
+                                {95, 0, Vec2{60, -neck}, Vec2{-60, -neck}},
+                                {-95, 0}});
+  };
+  const pattern::Pattern pattern{{cape("front", 130), cape("back", 90)}, {}};
+  int shoulders = 0;
+  for (const SeamProposal& p : seams::propose_seams(pattern, {true})) {
+    if (p.confidence < 0.8) continue;
+    EXPECT_EQ(p.seam.a[0].edge + p.seam.b[0].edge, 4) << "e1 to e3";
+    ++shoulders;
+  }
+  EXPECT_EQ(shoulders, 2);
+}
+
+TEST(ProposeByKinds, NeverHangAFrontFromItsBack) {
+  // The back's hem is by chance as long as the front's waist, the front's inner leg a little shorter.
+  const auto half = [](const std::string& id, double waist, double hem, double crotch) {
+    return garments::piece(id, {{10, -1000},
+                                {10 + hem, -1000, Vec2{235, -500}, Vec2{245, -180}},
+                                {5 + waist, 0},
+                                {5, 0, Vec2{-10, -210}, Vec2{crotch + 40, -270}},
+                                {crotch, -285, Vec2{crotch + 40, -400}, Vec2{10, -700}}});
+  };
+  const pattern::Panel front = half("Front L", 205, 190, -60), back = half("Back R", 230, 205, -110);
+  const pattern::Pattern pattern{
+      {front, garments::mirrored(front, "Front R"), back, garments::mirrored(back, "Back L")}, {}};
+  const std::vector<SeamProposal> proposals = seams::propose_seams(pattern, {true});
+  EXPECT_GT(surest(pattern, proposals, "Front L", "Front R"), 0.8);
+  EXPECT_GT(surest(pattern, proposals, "Back L", "Back R"), 0.8);
+  EXPECT_GT(surest(pattern, proposals, "Front L", "Back L"), 0.8);
+  for (const SeamProposal& p : proposals)
+    EXPECT_FALSE(p.confidence > 0.5 && (p.seam.a[0].edge == 0 || p.seam.b[0].edge == 0)) << "hems";
+}
+
+TEST(PieceWords, TheSideOfAHoodIsNoFlank) {
+  EXPECT_FALSE(seams::words_of("Hood Side").flank);
+  EXPECT_TRUE(seams::words_of("Side Front").flank);
+}
+
 /// The half of a bodice's front or back that lies right of its middle at x = 0, seen from outside: of a front
 /// the wearer's left, of a back the right. Edges: hem, side, armhole, shoulder, neck, middle.
 pattern::Panel half_bodice(const std::string& id, double hem, double neck) {
