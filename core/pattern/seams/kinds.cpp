@@ -141,7 +141,7 @@ double level_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const bool beside = is_beside_hollow(m, a) && is_beside_hollow(m, b);
   const auto unnamed = [](const PieceWords& w) { return w.guessed || w.kind == PieceKind::kOther; };
   if (beside && x.face * y.face < 0 && unnamed(x) && unnamed(y)) return kPairWeights.level_shoulder;
-  if (beside && a.panel == b.panel && x.kind == PieceKind::kSkirt) return 0;
+  if (beside && a.panel == b.panel && x.kind == PieceKind::kSkirt && x.face == 0) return 0;
   return in_one_row(m, a, b) ? kPairWeights.waists_in_row : kPairWeights.two_waists;
 }
 

@@ -104,6 +104,15 @@ bool crosses_over(const SeamModel& m, Index i, Index j, bool along) {
   return half_of(m, i) * half_of(m, j) * (along ? -1 : 1) > 0;
 }
 
+/// Whether the seam would set a sleeve that names its side into the other side of a whole front or back, as
+/// these are seen from outside.
+bool takes_other_side(const SeamModel& m, Index limb, Index whole, bool along) {
+  const PieceWords &x = m.words[m.runs[limb].panel], &y = m.words[m.runs[whole].panel];
+  if (!x.limb || x.side == 0 || y.side != 0 || y.face == 0) return false;
+  const int seen = half_of(m, whole) * (m.handed < 0 ? -1 : 1) * (along ? -1 : 1);
+  return x.side * seen * -y.face < 0;  // a front's right half covers the wearer's left
+}
+
 }  // namespace
 
 double length_merit(double a, double b) {
@@ -147,6 +156,9 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   for (const bool along : {false, true})
     both[along] = merit + kPairWeights.height * height_merit(m, a, b, along) + notch_merit(a, b, along) +
                   (crosses_over(m, i, j, along) ? kPairWeights.crosses_over : 0) +
+                  (takes_other_side(m, i, j, along) || takes_other_side(m, j, i, along)
+                       ? kPairWeights.sleeve_of_other_side
+                       : 0) +
                   kPairWeights.cut_to_cut * cut_ends_that_meet(m, a, b, along);
   // Parts were cut to fit: that they agree says less, and together they are one coincidence.
   if (lengths && (is_cut(a) || is_cut(b)))
