@@ -153,6 +153,22 @@ TEST(ProjectNew, OfTwoOfAKindOneIsTurnedOver) {
   }
 }
 
+TEST(ProjectNew, GoresAreNumberedInARowAndNoneIsTurnedOver) {
+  const pattern::Panel gore = garments::piece("gore", {{-110, 0}, {110, 0}, {47, 600}, {-47, 600}});
+  std::string text = drawing_of({gore});
+  text.replace(text.find("Quantity: 1"), 11, "Quantity: 8");
+  create::NewProjectSettings seams = settings();
+  seams.accept_seams = 0.8;
+  const auto made = create::new_project(text, seams);
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->project.pieces.size(), 8U);
+  for (std::size_t k = 0; k < 8; ++k) {
+    EXPECT_EQ(made->project.pieces[k].id, "gore_" + std::to_string(k + 1));
+    EXPECT_TRUE(made->project.pieces[k].from) << "all from the file";
+  }
+  EXPECT_EQ(made->project.seams.size(), 8U) << "once around";
+}
+
 TEST(ProjectNew, AHalfBackAmongPairsIsCutTwice) {
   const std::vector<garments::Node> half{{0, 0}, {300, 0}, {260, 500}, {0, 520}};
   const auto made_of = [&](const std::vector<garments::Node>& back, const char* fronts) {
