@@ -49,7 +49,8 @@ void PictureRows::close_row() {
     const std::uint64_t* const sum = &sums_[static_cast<std::size_t>(x) * 4];
     const auto count = static_cast<std::uint64_t>(rows * std::min(factor_, width_ - x * factor_));
     for (int c = 0; c < 3; ++c) {
-      picture_.rgba.push_back(sum[3] == 0 ? 0 : static_cast<std::uint8_t>((sum[c] + sum[3] / 2) / sum[3]));
+      picture_.rgba.push_back(sum[3] == 0 ? std::uint8_t{0}
+                                          : static_cast<std::uint8_t>((sum[c] + sum[3] / 2) / sum[3]));
     }
     // Whole numbers with half added: rounded to the nearest, alike on every machine.
     picture_.rgba.push_back(static_cast<std::uint8_t>((sum[3] + count / 2) / count));
