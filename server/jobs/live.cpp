@@ -53,21 +53,20 @@ Result<store::JobRow> QueueingJobService::step(const store::RequestContext& cont
   return on_request(context, id, JobEvent::kResume, {}, true);
 }
 
-/// Asked of its worker; of a drape that lies in memory, looked at.
-Result<std::string> QueueingJobService::shape_now(const LiveJobPtr& job) {
+/// Asked of its worker; of a drape that lies in memory, looked at; of one that is being drawn, what it left.
+Result<QueueingJobService::HangsNow> QueueingJobService::shape_now(const store::RequestContext& context,
+                                                                   const LiveJobPtr& job) {
   const auto end = std::chrono::steady_clock::now() + kAnswerWithin;
   do {
+    const std::string phase = table_.progress(*job).phase;
+    if (phase == kStillsPhase) return HangsNow{TRY(store_.result_bytes(context, job->id, kShapeFile)), true};
     {
       const Changing changing = table_.changing();
-      if (!job->held) return job->run ? job->run->shape() : Result<std::string>(std::string());
+      if (!job->held) return job->run ? HangsNow{TRY(job->run->shape())} : HangsNow{};
     }
     // Whoever meshes or dresses does not look up, and has nothing that hangs.
-    const std::string phase = table_.progress(*job).phase;
-    if (phase == kStillsPhase)
-      return Error{"jobs.state", "the drape has come to its end, and is being drawn; start one from its end",
-                   "", ErrorKind::kConflict};
-    if (phase != "drape") return std::string();
-    if (std::optional<std::string> shape = job->shape->ask(kAnswerSlice)) return std::move(*shape);
+    if (phase != "drape") return HangsNow{};
+    if (std::optional<std::string> shape = job->shape->ask(kAnswerSlice)) return HangsNow{std::move(*shape)};
   } while (std::chrono::steady_clock::now() < end);
   return Error{"jobs.no_shape", "the drape does not answer how its garment hangs; try again", "",
                ErrorKind::kUnavailable};
@@ -89,12 +88,19 @@ Result<store::Made<store::JobRow>> QueueingJobService::go_on(const store::Reques
   if (!table_.is_here(*job) && !old.lease.holder.empty())
     return Error{"live.elsewhere", "another process works on this drape, and nothing reaches it there", "",
                  ErrorKind::kConflict};
-  const std::string shape = TRY(shape_now(job));
-  store::JobRow row = TRY(row_of_drape_on(documents_, context, old.project_id, settings_.limits, shape));
+  const HangsNow hangs = TRY(shape_now(context, job));
+  store::JobRow row =
+      TRY(row_of_drape_on(documents_, context, old.project_id, settings_.limits, hangs.shape));
   row.priority = old.priority;
   row.pictures = old.pictures;
   row.tags = TRY(store::tags_of_job(store_, context, id));
   const store::Made<store::JobRow> made = TRY(queue(context, std::move(row), idempotency_key, true));
+  if (hangs.for_good) {
+    if (table_.state(*job) != store::JobState::kPaused) return made;
+    const Result<store::JobRow> resumed = on_request(context, id, JobEvent::kResume, {});
+    if (!resumed) context.log.info("it waits for its pictures still", {{"job", id}});
+    return made;
+  }
   const Result<store::JobRow> ended = on_request(context, id, JobEvent::kCancel, superseded(made.id));
   if (!ended) context.log.info("it ended before it was superseded", {{"job", id}});
   return made;

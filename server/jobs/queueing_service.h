@@ -67,7 +67,12 @@ class QueueingJobService final : public JobService {
                                    JobEvent event, const RowEdit& edit, bool one_frame = false);
   Error refusal(const store::RequestContext& context, const std::string& id, JobEvent event);
   Status check_parking(const Changing& changing, const LiveJob& job) const;
-  Result<std::string> shape_now(const LiveJobPtr& job);
+  /// How the garment of a job hangs just now; empty: it does not yet.
+  struct HangsNow {
+    std::string shape;
+    bool for_good = false;  ///< it has come to its end, and only pictures are missing
+  };
+  Result<HangsNow> shape_now(const store::RequestContext& context, const LiveJobPtr& job);
   Result<store::Made<store::JobRow>> queue(const store::RequestContext& context, store::JobRow row,
                                            const std::string& idempotency_key, bool anew);
   store::JobRow take_in(const store::RequestContext& context, store::JobRow made, bool anew);

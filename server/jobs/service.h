@@ -95,7 +95,8 @@ class JobService {
   virtual Result<store::JobRow> step(const store::RequestContext& context, const std::string& id) = 0;
   /// Goes on with the project as it is by now: a new job, from how the garment of this one hangs (or from the
   /// pieces, where it does not hang yet), in whose place it comes. This one ends as cancelled, with code
-  /// "superseded" and the new job's id as its place. Under a key as submit(). Errors: those of submit();
+  /// "superseded" and the new job's id as its place; where it has come to its end and is only being drawn, it
+  /// stays and succeeds. Under a key as submit(). Errors: those of submit();
   /// jobs.state where the job neither waits, runs nor is paused; live.elsewhere while another process drapes
   /// it; jobs.no_shape where its worker does not answer.
   virtual Result<store::Made<store::JobRow>> go_on(const store::RequestContext& context,

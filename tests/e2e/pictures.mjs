@@ -58,3 +58,19 @@ export async function shareOfBlue(page, locator) {
     return blue / (data.length / 4);
   }, picture);
 }
+
+/** The mean red, green and blue of a few pixels in the middle of a part of the page. */
+export async function colourAtMiddle(page, locator) {
+  const picture = (await locator.screenshot()).toString('base64');
+  return page.evaluate(async (base64) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${base64}`;
+    await image.decode();
+    const side = 16;
+    const canvas = new OffscreenCanvas(side, side);
+    const pen = canvas.getContext('2d');
+    pen.drawImage(image, (side - image.width) / 2, (side - image.height) / 2);
+    const { data } = pen.getImageData(0, 0, side, side);
+    return [0, 1, 2].map((k) => data.filter((_, i) => i % 4 === k).reduce((sum, value) => sum + value, 0) / (side * side));
+  }, picture);
+}

@@ -11,6 +11,7 @@ import { CommandsContext } from './commands/context';
 import { MapKeeper } from './commands/MapKeeper';
 import { Poller } from './commands/Poller';
 import { SectionKeeper } from './commands/SectionKeeper';
+import { WarmEdits } from './commands/WarmEdits';
 import { Watcher } from './commands/Watcher';
 import { ImportPreview } from './pattern/ImportPreview';
 import { PatternPane } from './pattern/PatternPane';
@@ -227,13 +228,7 @@ effect(() => {
   // They tell how light plays on the cloth.
   if (state.pieces.value?.state === 'ready') untracked(() => void commands.pattern.loadFabrics());
 });
-// Edits that cloth may go on hanging after are taken over while it drapes, once no more of them come.
-effect(() => {
-  if (!state.goesOnWarm.value) return;
-  void revision.value;
-  const wait = setTimeout(() => void commands.goOn(), 500);
-  return () => clearTimeout(wait);
-});
+new WarmEdits(state, () => commands.goOn()).start();
 effect(() => {
   const named = state.job.value?.name ?? state.project.value?.name;
   const shown = state.route.value.name === 'admin' ? t.admin.open : state.atHome.value ? '' : named;

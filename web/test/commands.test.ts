@@ -6,9 +6,9 @@ import { Poller } from '../src/commands/Poller';
 import { Watcher } from '../src/commands/Watcher';
 import { AppState, ready } from '../src/state/AppState';
 import { parseRoute } from '../src/state/routes';
-import type { Edit, Job, Pieces } from '../src/api/types';
+import type { Edit, Job, SeenPieces } from '../src/api/types';
 import { reportOf } from './samples';
-import { fakeApi, jobOf, progressOf, projectOf, squareOf } from './fakes';
+import { fakeApi, jobOf, progressOf, projectOf, seenOf, squareOf } from './fakes';
 
 function begin(more: Partial<Api> = {}) {
   const state = new AppState();
@@ -471,6 +471,17 @@ describe('the watcher', () => {
     watcher.stop();
   });
 
+  it('leaves whoever chooses something for a piece at that', async () => {
+    const { watcher, report } = watching();
+    state.tab.value = 'pattern';
+    state.selected.value = 'front';
+    watcher.handlers().text({ type: 'ended', job: ended, ...progressOf({ state: 'succeeded' }) });
+    await settle();
+    expect(report).toHaveBeenCalledTimes(1);
+    expect(state.tab.value).toBe('pattern');
+    watcher.stop();
+  });
+
   it('shows an ended drape that nobody streams from its model file', async () => {
     const resultText = async () => 'v 0 0 0\nv 1 0 0\nv 0 1 0\no front\nf 1 2 3\n';
     const watcher = new Watcher(state, fakeApi({ resultText }), stream, () => undefined);
@@ -482,11 +493,12 @@ describe('the watcher', () => {
     watcher.stop();
   });
 
-  it('fetches that file once, and waits for the colours of the pieces', async () => {
+  it('fetches that file once, and waits for the colours that the pieces had then', async () => {
     const resultText = vi.fn(async () => 'v 0 0 0\nv 1 0 0\nv 0 1 0\no front\nf 1 2 3\n');
-    let come = (_: Pieces): void => undefined;
-    const pieces = () => new Promise<Pieces>((done) => (come = done));
-    const watcher = new Watcher(state, fakeApi({ resultText, pieces }), stream, () => undefined);
+    let come = (_: SeenPieces): void => undefined;
+    const seenPieces = () => new Promise<SeenPieces>((done) => (come = done));
+    const pieces = async () => ({ pieces: [squareOf('front', 0, 0, 10)], seams: [] });
+    const watcher = new Watcher(state, fakeApi({ resultText, pieces, seenPieces }), stream, () => undefined);
     state.projects.value = ready([projectOf()]);
     state.jobs.value = ready([jobOf({ state: 'succeeded', results: { 'final.obj': 10 } })]);
     state.route.value = { name: 'job', id: 'j_1' };
@@ -495,7 +507,7 @@ describe('the watcher', () => {
     state.putJob(jobOf({ state: 'succeeded', ended_ms: 5, results: { 'final.obj': 10 } }));
     await settle();
     expect(state.cloth.topology).toBeNull();
-    come({ pieces: [{ ...squareOf('front', 0, 0, 10), colour: [1, 0, 0] }], seams: [] });
+    come({ pieces: [seenOf('front', { colour: [1, 0, 0] })], fabrics: [] });
     await settle();
     expect(state.cloth.topology?.pieces[0]?.colour).toEqual([1, 0, 0]);
     expect(resultText).toHaveBeenCalledTimes(1);

@@ -6,7 +6,7 @@ import { AppState } from '../src/state/AppState';
 import { apart, comparable, comparedOf, comparisonRows, type ComparedDrape } from '../src/state/comparison';
 import { ofOneScale, mapOf } from '../src/state/clothMaps';
 import { formatRoute, parseRoute } from '../src/state/routes';
-import { jobOf, squareOf } from './fakes';
+import { jobOf, seenOf } from './fakes';
 import { reportOf } from './samples';
 
 const ended = (id: string, more: Partial<Job> = {}): Job =>
@@ -85,7 +85,7 @@ describe('the comparer', () => {
     },
     resultText: () => Promise.resolve(kSquare),
     report: () => Promise.resolve(reportOf()),
-    pieces: () => Promise.resolve({ pieces: [squareOf('front', 0, 0, 10)], seams: [] }),
+    seenPieces: () => Promise.resolve({ pieces: [seenOf('front', { colour: [0, 1, 0] })], fabrics: [] }),
     body: () => Promise.reject(new ApiError(404, 'job.no_body', 'it hung free')),
   });
 
@@ -99,6 +99,7 @@ describe('the comparer', () => {
     expect(state.comparison.left.value?.state).toBe('loading');
     await settle();
     expect(comparedOf(state.comparison.left.value)?.topology.vertexCount).toBe(3);
+    expect(comparedOf(state.comparison.left.value)?.topology.pieces[0]?.colour).toEqual([0, 1, 0]); // as it was draped
     expect(comparedOf(state.comparison.right.value)?.job.id).toBe('j_2');
     state.route.value = { name: 'compare', left: 'j_1', right: 'j_3' };
     await settle();

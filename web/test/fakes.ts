@@ -3,7 +3,7 @@
 import type { Api } from '../src/api/Api';
 import { ApiError } from '../src/api/http';
 import type { Clock, Socket } from '../src/api/JobStream';
-import type { Asset, Curve, Job, Piece, Point, Progress, Project, Seam } from '../src/api/types';
+import type { Asset, Curve, Job, Piece, Point, Progress, Project, Seam, SeenPiece } from '../src/api/types';
 import { straight } from '../src/state/outline';
 
 export class FakeClock implements Clock {
@@ -165,6 +165,7 @@ export function fakeApi(more: Partial<Api> = {}): Api {
     submit: async () => jobOf({ id: 'j_new', state: 'queued', created_ms: 5000 }),
     goOn: async () => jobOf({ id: 'j_next', state: 'queued', project_revision: 2, created_ms: 6000 }),
     act: async (id, action) => jobOf({ id, state: action === 'pause' ? 'paused' : 'running' }),
+    seenPieces: async () => ({ pieces: [], fabrics: [] }),
     report: missing,
     resultText: missing,
     body: missing,
@@ -225,6 +226,16 @@ export function pieceOf(id: string, corners: Point[]): Piece {
     lines: [],
   };
 }
+
+/** A piece as a drape has kept it. */
+export const seenOf = (id: string, more: Partial<SeenPiece> = {}): SeenPiece => ({
+  id,
+  fabric: 'f',
+  colour: [1, 1, 1],
+  grain: [0, 1],
+  texture: null,
+  ...more,
+});
 
 export const squareOf = (id: string, x: number, y: number, size: number): Piece =>
   pieceOf(id, [

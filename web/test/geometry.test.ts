@@ -171,6 +171,8 @@ describe('the flat view', () => {
     const below = fit({ minX: 0, minY: 0, maxX: 500, maxY: 500 }, 956, 556, 28, 100);
     expect(below.scale).toBeCloseTo(0.8, 9);
     expect(below.y).toBeCloseTo(-312.5, 9); // its top at 128 px: the margin under what is covered
+    const between = fit({ minX: 0, minY: 0, maxX: 500, maxY: 500 }, 956, 556, 28, 100, 100);
+    expect([between.scale, between.y]).toEqual([0.6, -250]);
     const closer = zoomed(view, 2, 100, 0);
     expect(closer.scale).toBe(1);
     expect(closer.x + 100 / closer.scale).toBeCloseTo(view.x + 100 / view.scale, 9);

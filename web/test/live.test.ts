@@ -4,7 +4,9 @@ import { PlaneGeometry, Mesh, Raycaster, Vector3 } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Commands } from '../src/commands/Commands';
 import { LiveCommands } from '../src/commands/LiveCommands';
+import { WarmEdits } from '../src/commands/WarmEdits';
 import { Watcher } from '../src/commands/Watcher';
+import { ApiError } from '../src/api/http';
 import { JobStream } from '../src/api/JobStream';
 import type { ClothTopology } from '../src/api/frames';
 import type { Edit, EditStep, StreamWord } from '../src/api/types';
@@ -186,6 +188,8 @@ describe('an edit while it drapes', () => {
     expect([running().outdated.value, running().goesOnWarm.value]).toEqual([false, false]);
     const warm = edited(step('set_fabric'), step('move_point'));
     expect([warm.outdated.value, warm.goesOnWarm.value]).toEqual([true, true]);
+    warm.progress.value = progressOf({ phase: 'stills' });
+    expect([warm.touchable.value, warm.goesOnWarm.value]).toEqual([false, true]);
     warm.progress.value = progressOf({ phase: 'sew' });
     expect(warm.goesOnWarm.value).toBe(false);
     const sewn = edited(step('move_point'), step('reverse_seam'));
@@ -204,6 +208,38 @@ describe('an edit while it drapes', () => {
     expect(goOn.mock.calls).toEqual([['j_1', 'key']]);
     expect(order).toEqual(['j_next']);
     expect(state.allJobs.value.map((job) => job.id)).toContain('j_next');
+  });
+
+  it('is taken over once no more comes, also where the drape ends meanwhile', () => {
+    vi.useFakeTimers();
+    const goOn = vi.fn(async () => undefined);
+    const state = edited(step('set_fabric'));
+    const stop = new WarmEdits(state, goOn).start();
+    vi.advanceTimersByTime(400);
+    state.projects.value = ready([projectOf({ revision: 3 })]);
+    vi.advanceTimersByTime(400);
+    expect(goOn).not.toHaveBeenCalled();
+    state.progress.value = progressOf({ state: 'succeeded', phase: 'stills' });
+    state.putJob(jobOf({ state: 'succeeded' }));
+    vi.advanceTimersByTime(100);
+    expect(goOn).toHaveBeenCalledTimes(1);
+    state.projects.value = ready([projectOf({ revision: 4 })]); // of an end that is seen: whoever looks at it is asked
+    vi.advanceTimersByTime(1000);
+    expect(goOn).toHaveBeenCalledTimes(1);
+    stop();
+    vi.useRealTimers();
+  });
+
+  it('goes on from the end of a drape that ends while it is asked', async () => {
+    const state = edited(step('set_fabric'));
+    const ended = new ApiError(409, 'jobs.state', 'it has ended');
+    const submit = vi.fn(fakeApi().submit);
+    const nothing = (): void => undefined;
+    const around = { go: nothing, save: nothing, anew: nothing, say: nothing, newKey: () => 'key', follow: nothing };
+    const api = fakeApi({ submit, goOn: () => Promise.reject(ended) });
+    await new Commands(state, api, around, nothing, nothing).goOn();
+    expect(submit.mock.calls).toEqual([['p_1', 'key', 'j_1']]);
+    expect(state.notices.value).toEqual([]);
   });
 
   it('is followed without losing what is seen, also by who did not make it', () => {

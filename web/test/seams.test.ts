@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Edit } from '../src/api/types';
-import { findPart, freePieceId, stepText, turnsOf } from '../src/state/editing';
+import { findPart, freePieceId } from '../src/state/editing';
+import { stepText, turnsOf, withSewn, type Known } from '../src/state/steps';
 import {
   alongLine,
   alongSide,
@@ -171,19 +172,36 @@ describe('the history', () => {
     edits: [editOf(edit, { piece: 'front', edge: 'hem' })],
   });
 
+  const nobody: Known = { pieces: [], seams: new Map() };
+
   it('says what undo and redo would do', () => {
-    expect(turnsOf([])).toEqual({ undo: null, redo: null });
+    expect(turnsOf([], nobody)).toEqual({ undo: null, redo: null });
     const history = [step(4, true, 'split_edge'), step(3, true, 'bend_edge'), step(2, false, 'move_point')];
-    expect(turnsOf(history)).toEqual({ undo: 'Move point, front · hem', redo: 'Make a curve, front · hem' });
+    expect(turnsOf(history, nobody)).toEqual({ undo: 'Move point, front · hem', redo: 'Make a curve, front · hem' });
   });
 
   it('counts edits of one step', () => {
     const seam = editOf('add_seam', { id: 's' });
-    expect(stepText([seam, seam, seam])).toBe('Add seam × 3');
-    expect(stepText([editOf('join_edges'), editOf('delete_point')])).toBe('Join edges and 1 more');
-    expect(stepText([editOf('knit_sleeve')])).toBe('knit sleeve');
-    expect(stepText([editOf('restore', { pieces: {}, attachments: {} })])).toBe('Place pieces');
-    expect(stepText([editOf('restore', { bodies: {} })])).toBe('Change body');
+    expect(stepText([seam, seam, seam], nobody)).toBe('Add seam × 3');
+    expect(stepText([editOf('join_edges'), editOf('delete_point')], nobody)).toBe('Join edges and 1 more');
+    expect(stepText([editOf('knit_sleeve')], nobody)).toBe('knit sleeve');
+    expect(stepText([editOf('restore', { pieces: {}, attachments: {} })], nobody)).toBe('Place pieces');
+    expect(stepText([editOf('restore', { bodies: {} })], nobody)).toBe('Change body');
+  });
+
+  it('names seams and edges as a pattern maker does, also those that are gone', () => {
+    const pieces = [squareOf('front', 0, 0, 100), squareOf('back', 200, 0, 100)];
+    const sides = seamOf('seam12', ['front', 'e1'], ['back', 'e3']);
+    const known: Known = { pieces, seams: new Map([[sides.id, sides], ['yoke', seamOf('yoke', ['front', 'e2'], ['back', 'e2'])]]) };
+    const reversed = (seam: string): string => stepText([editOf('reverse_seam', { seam })], known);
+    expect(reversed('seam12')).toBe('Reverse seam, front · right to back · left');
+    expect(reversed('yoke')).toBe('Reverse seam, yoke');
+    expect(reversed('seam99')).toBe('Reverse seam');
+    expect(stepText([editOf('bend_edge', { piece: 'front', edge: 'e2' })], known)).toBe('Make a curve, front · top');
+    const added = { ...step(1, false, ''), edits: [editOf('add_seam', { ...seamOf('seam99', ['front', 'e0'], ['back', 'e0']) })] };
+    expect(stepText(added.edits, known)).toBe('Add seam, front · bottom to back · bottom');
+    const told = withSewn(known, [added]);
+    expect(stepText([editOf('remove_seam', { seam: 'seam99' })], told)).toBe('Remove seam, front · bottom to back · bottom');
   });
 });
 

@@ -12,12 +12,13 @@ import {
   fillRepeats,
   looksOf,
   nameInProject,
+  onCloth,
   patternTransform,
   pictureFrame,
   repeatsAt,
   textureEdits,
 } from '../src/state/texture';
-import { fakeApi, projectOf, squareOf } from './fakes';
+import { fakeApi, projectOf, seenOf, squareOf } from './fakes';
 
 const kChecks: Texture = { image: 'checks.png', scale_mm: 40, offset: [0, 0], angle: 0 };
 const picture = { url: 'assets/a_1', width: 200, height: 100, image: null as unknown as CanvasImageSource };
@@ -57,6 +58,8 @@ describe('a picture on a flat piece', () => {
     const looks = looksOf(pieces, project, new Map([['a_1', picture]]));
     expect([...looks.keys()]).toEqual(['a']);
     near(repeatsAt(looks.get('a')!.frame, [0, 20]), [0, 1]); // twice as wide as high
+    expect(onCloth(looks, []).get('a')).toEqual(looks.get('a'));
+    expect(onCloth(looks, [seenOf('a', { colour: [0, 0, 1] })]).get('a')?.colour).toEqual([0, 0, 1]);
   });
 });
 

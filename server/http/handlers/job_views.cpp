@@ -8,8 +8,11 @@
 
 #include "core/base/names.h"
 #include "core/exports/report_page.h"
+#include "core/fabric/library.h"
 #include "core/image/reduce.h"
 #include "server/documents/projects.h"
+#include "server/documents/read_cloth.h"
+#include "server/documents/seen_pieces.h"
 #include "server/documents/views.h"
 #include "server/http/handlers/answer.h"
 #include "server/http/problem.h"
@@ -128,6 +131,19 @@ Result<std::string> moved_bodies(const Api& api, const store::RequestContext& co
 }
 
 }  // namespace
+
+http::HttpResponse job_pieces(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest& request) {
+  const Result<store::JobRow> job = api.store.job(context, request.captures[0]);
+  if (!job) return http::problem(job.error());
+  const auto read = documents::read_cloth(api.documents, context, job->document, job->files);
+  if (!read) return http::problem(read.error());
+  documents::SeenPieces seen = documents::seen_pieces(**read);
+  std::vector<json::JsonValue> cards;
+  for (const std::string& name : seen.fabrics)
+    if (const fabric::FabricCard* card = fabric::find(name)) cards.push_back(fabric::fabric_json(*card));
+  return json_answer(200, {{"pieces", std::move(seen.pieces)}, {"fabrics", std::move(cards)}});
+}
 
 http::HttpResponse job_body(const Api& api, const store::RequestContext& context,
                             const http::HttpRequest& request) {

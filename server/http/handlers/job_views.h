@@ -25,6 +25,10 @@ http::HttpResponse small_job_result(const Api& api, const store::RequestContext&
 http::HttpResponse job_report_page(const Api& api, const store::RequestContext& context,
                                    const http::HttpRequest& request);
 
+/// Colours, fabrics and prints of the pieces as they were when the job was made.
+http::HttpResponse job_pieces(const Api& api, const store::RequestContext& context,
+                              const http::HttpRequest& request);
+
 /// The bodies under the cloth, as one mesh.
 http::HttpResponse job_body(const Api& api, const store::RequestContext& context,
                             const http::HttpRequest& request);

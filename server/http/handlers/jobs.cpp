@@ -213,6 +213,7 @@ ApiRoutes job_routes() {
        .parameters = {"width"}},
       {.pattern = "/api/v1/jobs/{id}/report", .handler = job_report_page, .work = http::Work::kDocument},
       {.pattern = "/api/v1/jobs/{id}/log", .handler = log},
+      {.pattern = "/api/v1/jobs/{id}/pieces", .handler = job_pieces, .work = http::Work::kDocument},
       {.pattern = "/api/v1/jobs/{id}/body", .handler = job_body, .work = http::Work::kHeavy},
       {.pattern = "/api/v1/jobs/{id}/stream", .handler = stream_job, .websocket = true},
   };

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/fabric/library.h"
 #include "server/accounts/secrets.h"
 #include "server/documents/assets.h"
 #include "server/documents/read_cloth.h"
@@ -150,16 +149,8 @@ http::HttpResponse cloth(const Api& api, const store::RequestContext& asked,
 
 http::HttpResponse shared_pieces(const Api& api, const store::RequestContext& asked,
                                  const http::HttpRequest& request) {
-  return visited(api, asked, request, [&](const Visit& visit) -> http::HttpResponse {
-    const auto read =
-        documents::read_cloth(api.documents, visit.context, visit.job.document, visit.job.files);
-    if (!read) return http::problem(read.error());
-    documents::SeenPieces seen = documents::seen_pieces(**read);
-    std::vector<json::JsonValue> cards;
-    for (const std::string& name : seen.fabrics)
-      if (const fabric::FabricCard* card = fabric::find(name)) cards.push_back(fabric::fabric_json(*card));
-    return json_answer(200, {{"pieces", std::move(seen.pieces)}, {"fabrics", std::move(cards)}});
-  });
+  return visited(api, asked, request,
+                 [&](const Visit& visit) { return job_pieces(api, visit.context, for_job(request, visit)); });
 }
 
 /// A picture that is on a piece.

@@ -390,6 +390,7 @@ TEST_F(Contract, EveryAnswerAndMessageFitsItsSchema) {
   EXPECT_EQ(recorded("PUT", address + "/tags", R"({"tags": ["spring"]})", kJson).status, 200);
   recorded("GET", address + "/report");
   recorded("GET", address + "/log");
+  recorded("GET", address + "/pieces");
   recorded("GET", address + "/body");
   recorded("GET", address + "/stream");
   recorded("POST", address + "/pause");

@@ -306,7 +306,7 @@ TEST_F(Routes, RefuseJobsOfNothing) {
                  "store.not_found");
   EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", "{}"), 422, "request.project_id");
   EXPECT_PROBLEM(send_json("POST", "/api/v1/jobs", R"({"project": "p"})"), 422, "request.unknown_key");
-  for (const char* what : {"", "/results", "/results/report.json", "/body"}) {
+  for (const char* what : {"", "/results", "/results/report.json", "/pieces", "/body"}) {
     EXPECT_PROBLEM(get(std::string("/api/v1/jobs/j_00000000000000000000") + what), 404, "store.not_found");
   }
   for (const char* what : {"/pause", "/resume", "/step", "/cancel"}) {
@@ -420,6 +420,26 @@ TEST_F(Routes, SendTheBodyAsOneMesh) {
     std::memcpy(&corner, body.body.data() + at, 4);
     EXPECT_LT(corner, 8u);
   }
+}
+
+TEST_F(Routes, TellTheColoursThatAJobWasMadeWith) {
+  const std::string project = make_project();
+  const Answer made = send_json("POST", "/api/v1/jobs", "{\"project_id\": \"" + project + "\"}");
+  ASSERT_EQ(made.status, 201) << made.body;
+  const std::string target = "/api/v1/jobs/" + member(made, "id") + "/pieces";
+  const Answer before = get(target);
+  ASSERT_EQ(before.status, 200) << before.body;
+  const auto seen = tree(before);
+  const auto drawn = tree(get("/api/v1/projects/" + project + "/pieces"));
+  const json::JsonValue& piece = seen->find("pieces")->array()->front();
+  const json::JsonValue& of_project = drawn->find("pieces")->array()->front();
+  EXPECT_EQ(json::write_json_line(*piece.find("colour")), json::write_json_line(*of_project.find("colour")));
+  EXPECT_EQ(piece.find("outline"), nullptr);
+  const std::string edits = R"({"edits": [{"edit": "set_fabric", "piece": ")" + *piece.find("id")->text() +
+                            R"(", "fabric": "denim-10oz"}]})";
+  ASSERT_EQ(send_json("POST", "/api/v1/projects/" + project + "/edits", edits, "If-Match: *\r\n").status,
+            200);
+  EXPECT_EQ(get(target).body, before.body) << "the job keeps what it is made of";
 }
 
 TEST_F(Routes, SayThatThePageIsNotBuilt) {

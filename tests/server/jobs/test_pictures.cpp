@@ -45,6 +45,21 @@ TEST_F(JobsInTheirPictures, ArePausedAndResumedThere) {
   EXPECT_EQ(publisher.log(id).topologies.size(), 1u) << "nothing is draped again";
 }
 
+/// Whoever edits meanwhile loses neither the edit nor what has been draped.
+TEST_F(JobsInTheirPictures, AreGoneOnFromAndGetThemAllTheSame) {
+  const std::string id = drawing();
+  ASSERT_TRUE(service->pause(kOwner, id).ok());
+  ASSERT_TRUE(publisher.wait_for_state(id, store::JobState::kPaused));
+  const auto on = service->go_on(kOwner, id, "");
+  ASSERT_TRUE(on) << on.error().message;
+  EXPECT_TRUE(row(on->id).files.contains(jobs::kShapeFile));
+  ASSERT_TRUE(publisher.wait_for_end(id));
+  EXPECT_EQ(row(id).state, store::JobState::kSucceeded) << row(id).reason;
+  EXPECT_EQ(row(id).results.size(), 15u);
+  ASSERT_TRUE(publisher.wait_for_end(on->id));
+  EXPECT_NE(row(on->id).report.find("start.goes_on"), std::string::npos);
+}
+
 TEST_F(JobsInTheirPictures, AreBroughtToTheirEndByAStop) {
   const std::string id = drawing();
   service->stop();

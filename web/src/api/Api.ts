@@ -27,6 +27,7 @@ import type {
   Question,
   Report,
   SeamProposal,
+  SeenPieces,
   Unit,
 } from './types';
 
@@ -70,6 +71,8 @@ export interface Api extends SessionApi, AdminApi, LinkApi, PatternUrls, SweepAp
   act(id: string, action: JobAction): Promise<Job>;
   /** The project as it is by now in place of a drape under way, from how its cloth hangs. */
   goOn(id: string, key: string): Promise<Job>;
+  /** Colours and fabrics with which it is draped. */
+  seenPieces(id: string): Promise<SeenPieces>;
   report(id: string): Promise<Report>;
   resultText(id: string, name: string): Promise<string>;
   body(id: string): Promise<BodyMesh>;
@@ -152,6 +155,7 @@ export function makeApi(http = new Http('/api/v1')): Api {
     removeJob: async (id) => void (await http.send(`/jobs/${part(id)}`, { method: 'DELETE' })),
     goOn: (id, key) => http.post(`/jobs/${part(id)}/go_on`, undefined, keyed(key)),
     act: (id, action) => http.post(`/jobs/${part(id)}/${action}`),
+    seenPieces: (id) => http.get(`/jobs/${part(id)}/pieces`),
     report: (id) => http.get(result(id, 'report.json')),
     resultText: (id, name) => http.text(result(id, name)),
     body: async (id) => decodeBody(await http.bytes(`/jobs/${part(id)}/body`)),

@@ -61,6 +61,8 @@ export interface StillWish {
   width: number;
   height: number;
   transparent: boolean;
+  /** What the cloth is coloured by, with a legend; without: as it looks. */
+  map?: NonNullable<Question<'takeStill'>['map']>;
 }
 export type MovieKind = 'drape' | 'turntable';
 export type Edit = One<Schemas['EditList']>;
@@ -70,6 +72,9 @@ export type EditOf<Kind extends Edit['edit']> = Extract<Edit, { edit: Kind }>;
 export type Pieces = Omit<Schemas['Pieces'], 'pieces'> & { pieces: Piece[] };
 /** A piece as it is cut, of a project or of a file that is not one yet: the latter may be without a grain. */
 export type Piece = Omit<One<Schemas['Pieces']['pieces']>, 'grain'> & { grain: Point | null };
+/** What a job keeps of the look of its pieces, whatever becomes of the project. */
+export type SeenPieces = Schemas['SeenPieces'];
+export type SeenPiece = One<SeenPieces['pieces']>;
 export type PieceEdge = One<Piece['edges']>;
 export type Notch = One<Piece['notches']>;
 export type Texture = NonNullable<Piece['texture']>;

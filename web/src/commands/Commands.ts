@@ -5,7 +5,7 @@ import { makeDressingApi, type DressingApi } from '../api/dressing';
 import type { Job, Progress, StreamWord } from '../api/types';
 import type { AppState, View } from '../state/AppState';
 import { ready, valueOf } from '../state/AppState';
-import { commandsOf } from '../state/jobs';
+import { commandsOf, isActive } from '../state/jobs';
 import type { Fix } from '../state/outcome';
 import { formatRoute, type Route } from '../state/routes';
 import { AdminCommands } from './AdminCommands';
@@ -124,14 +124,15 @@ export class Commands {
     }
   }
 
-  /** The edited project in place of the drape that is under way: the page follows to it by itself. */
+  /** The edited project in place of the drape that is under way, or has just ended: the page follows to it by itself. */
   async goOn(): Promise<void> {
-    const { job, outdated, submitting } = this.state_;
+    const { job, project, submitting } = this.state_;
     const shown = job.value;
-    if (!shown || !outdated.value || submitting.value) return;
+    const edited = shown !== null && project.value !== null && project.value.revision > shown.project_revision;
+    if (!edited || submitting.value) return;
     submitting.value = true;
     try {
-      const next = await this.api_.goOn(shown.id, this.around_.newKey());
+      const next = await this.successorOf(shown);
       this.state_.putJob(next);
       this.around_.follow(next.id);
     } catch (error) {
@@ -140,6 +141,17 @@ export class Commands {
       submitting.value = false;
     }
     this.refresh_();
+  }
+
+  private async successorOf({ id, project_id, state }: Job): Promise<Job> {
+    const key = this.around_.newKey();
+    const fromItsEnd = (): Promise<Job> => this.api_.submit(project_id, key, id);
+    if (!isActive(state)) return fromItsEnd();
+    return this.api_.goOn(id, key).catch((error: unknown) => {
+      // It may have ended while it was asked.
+      if (asApiError(error).code === 'jobs.state') return fromItsEnd();
+      throw error;
+    });
   }
 
   async act(action: JobAction): Promise<void> {

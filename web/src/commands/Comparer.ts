@@ -4,7 +4,7 @@ import { effect, untracked, type Signal } from '@preact/signals';
 import type { Api } from '../api/Api';
 import type { BodyMesh } from '../api/body';
 import { clothFromObj } from '../api/objCloth';
-import type { Job, Piece } from '../api/types';
+import type { SeenPiece } from '../api/types';
 import type { AppState } from '../state/AppState';
 import { comparedOf, type Compared, type ComparedDrape } from '../state/comparison';
 import { asApiError } from './notices';
@@ -19,7 +19,7 @@ const unlessMissing =
     throw error;
   };
 
-type Asked = Pick<Api, 'job' | 'resultText' | 'report' | 'pieces' | 'body'>;
+type Asked = Pick<Api, 'job' | 'resultText' | 'report' | 'seenPieces' | 'body'>;
 
 export class Comparer {
   private stop_: () => void = () => undefined;
@@ -63,7 +63,7 @@ export class Comparer {
     const job = await this.api_.job(id);
     const [text, pieces, body, report] = await Promise.all([
       this.api_.resultText(id, 'final.obj'),
-      this.piecesOf(job),
+      this.piecesOf(id),
       this.bodyOf(id),
       'report.json' in job.results ? this.api_.report(id) : null,
     ]);
@@ -75,8 +75,8 @@ export class Comparer {
     return this.api_.body(id).catch(unlessMissing(null));
   }
 
-  /** None where the project is gone: the cloth is shown in one colour. */
-  private async piecesOf({ project_id }: Job): Promise<readonly Piece[]> {
-    return (await this.api_.pieces(project_id).catch(unlessMissing({ pieces: [] }))).pieces;
+  /** None where they cannot be read any more: the cloth is shown in one colour. */
+  private async piecesOf(id: string): Promise<readonly SeenPiece[]> {
+    return (await this.api_.seenPieces(id).catch(() => ({ pieces: [] }))).pieces;
   }
 }

@@ -15,11 +15,12 @@ export class MapKeeper {
   constructor(private readonly state_: AppState) {}
 
   start(): void {
-    const { mapKind, body, pieces, cloth } = this.state_;
+    const { mapKind, body, pieces, seenPieces, cloth } = this.state_;
     effect(() => {
       void mapKind.value;
       void body.value;
       void pieces.value;
+      void seenPieces.value;
       untracked(() => this.pace_.now());
     });
     cloth.listen((event) => {
@@ -37,8 +38,9 @@ export class MapKeeper {
   }
 
   private values(kind: MapKind): Float32Array | null {
-    const { cloth, pieces } = this.state_;
-    const known = valueOf(pieces.value ?? loading)?.pieces ?? [];
+    const { cloth, pieces, seenPieces } = this.state_;
+    // The grain may have been turned since.
+    const known = (valueOf(seenPieces.value ?? loading) ?? valueOf(pieces.value ?? loading))?.pieces ?? [];
     return measured(kind, cloth, grainsOf(known), () => this.surface());
   }
 

@@ -65,6 +65,7 @@ export class Watcher {
     state.progress.value = null;
     state.history.value = [];
     state.report.value = null;
+    state.seenPieces.value = null;
     state.body.value = null;
     state.cloth.clear();
     state.tab.value = id ? 'drape' : 'pattern';
@@ -73,6 +74,7 @@ export class Watcher {
     if (!id) return this.stream_.leave();
     this.stream_.watch(this.api_.streamUrl(id));
     void this.loadBody(id);
+    void this.loadSeen(id);
   }
 
   /** To the drape that goes on in place of the one that is watched: what is seen stays until its cloth comes. */
@@ -87,6 +89,7 @@ export class Watcher {
     this.stream_.watch(this.api_.streamUrl(id));
     this.go_(id);
     void this.loadBody(id, true);
+    void this.loadSeen(id, true);
   }
 
   /** The service is back, or a body that was not there yet may be now. */
@@ -94,6 +97,7 @@ export class Watcher {
     this.stream_.poke();
     const id = this.state_.watched.value;
     if (id && this.state_.body.value?.state === 'failed') void this.loadBody(id);
+    if (id && this.state_.seenPieces.value?.state === 'failed') void this.loadSeen(id);
     if (this.state_.pieces.value?.state === 'failed') this.piecesOf_ = '';
     void this.loadPieces(this.state_.projectId.value, this.state_.project.value?.revision ?? 0);
   }
@@ -172,6 +176,18 @@ export class Watcher {
     }
   }
 
+  /** `quietly`: as loadBody(). */
+  private async loadSeen(id: string, quietly = false): Promise<void> {
+    const { seenPieces, watched } = this.state_;
+    if (!quietly) seenPieces.value = loading;
+    try {
+      const seen = await this.api_.seenPieces(id);
+      if (watched.value === id) seenPieces.value = ready(seen);
+    } catch (error) {
+      if (watched.value === id) seenPieces.value = { state: 'failed', error: asApiError(error) };
+    }
+  }
+
   private async loadPieces(id: string | null, revision: number): Promise<void> {
     const key = `${id} ${revision}`;
     if (key === this.piecesOf_) return;
@@ -184,7 +200,7 @@ export class Watcher {
     const newest = (): boolean => projectId.value === id && this.piecesOf_ === key;
     try {
       const loaded = await this.api_.pieces(id);
-      if (newest()) pieces.value = ready(loaded);
+      if (newest()) this.state_.putPieces(loaded);
     } catch (error) {
       if (newest()) pieces.value = { state: 'failed', error: asApiError(error) };
     }
@@ -200,14 +216,14 @@ export class Watcher {
     if ('final.obj' in results && !cloth.topology && this.clothOf_ !== id) await this.loadCloth(id);
   }
 
-  /** Once for each drape that is watched; whoever sews or moves points meanwhile keeps the panel for that. */
+  /** Once for each drape that is watched; whoever works on the pattern meanwhile keeps the panel for that. */
   private turnToResult(id: string): void {
-    const { report, job, watched, tab, editing } = this.state_;
+    const { report, job, watched, tab, editing, selected } = this.state_;
     // An answer that was on its way may have said since that the drape still runs: then the next one turns.
     const ended = watched.value === id && job.value?.state === 'succeeded' && report.value?.state === 'ready';
     if (!ended || this.turnedTo_ === id) return;
     this.turnedTo_ = id;
-    if (tab.value !== 'pattern' || !editing.atWork) tab.value = 'result';
+    if (tab.value !== 'pattern' || !(editing.atWork || selected.value)) tab.value = 'result';
   }
 
   private async loadReport(id: string): Promise<void> {
@@ -220,13 +236,13 @@ export class Watcher {
   }
 
   private async loadCloth(id: string): Promise<void> {
-    const { cloth, watched, pieces } = this.state_;
+    const { cloth, watched, seenPieces } = this.state_;
     this.clothOf_ = id;
     try {
       const text = await this.api_.resultText(id, 'final.obj');
-      await this.piecesCame(); // they have its colours
+      await this.seenCame(); // they have its colours
       if (watched.value !== id || cloth.topology) return;
-      const known = valueOf(pieces.value ?? loading)?.pieces ?? [];
+      const known = valueOf(seenPieces.value ?? loading)?.pieces ?? [];
       const read = clothFromObj(text, known);
       cloth.setTopology(read.topology);
       cloth.setPositions(read.positions, { epoch: 0, seq: 1, step: 0, time: 0 });
@@ -237,13 +253,13 @@ export class Watcher {
     }
   }
 
-  /** Resolves once the pieces are there, or are known not to come. */
-  private async piecesCame(): Promise<void> {
-    const { pieces } = this.state_;
-    if (pieces.value?.state !== 'loading') return;
+  /** Resolves once the pieces as they were draped are there, or are known not to come. */
+  private async seenCame(): Promise<void> {
+    const { seenPieces } = this.state_;
+    if (seenPieces.value?.state !== 'loading') return;
     await new Promise<void>((done) => {
       const stop = effect(() => {
-        if (pieces.value?.state === 'loading') return;
+        if (seenPieces.value?.state === 'loading') return;
         done();
         queueMicrotask(() => stop());
       });

@@ -29,7 +29,7 @@ export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
         {names.length > 1 && <span class="head-note">{t.fabric.differ}</span>}
       </h3>
       <div class="fabric-now">
-        {known ? <Card fabric={known} /> : <p class="fabric-own">{names.join(', ') || t.common.nothing}</p>}
+        {known ? <Card fabric={known} /> : <p class="fabric-own">{names.map((name) => titleOf(name, fabrics.value)).join(', ') || t.common.nothing}</p>}
         <button class="plain" aria-expanded={isOpen.value} onClick={() => (isOpen.value = !isOpen.value)}>
           {isOpen.value ? t.fabric.keep : t.fabric.change}
         </button>
@@ -39,6 +39,9 @@ export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
     </section>
   );
 }
+
+/** A document's own fabrics have no card, and are called by their name there. */
+const titleOf = (name: string, fabrics: readonly Fabric[]): string => fabrics.find((one) => one.name === name)?.title ?? name;
 
 /** Of those that are cut of another one. */
 const cutOf = (pieces: readonly Piece[], fabric: string): EditOf<'set_fabric'>[] =>

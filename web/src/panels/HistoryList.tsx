@@ -1,7 +1,7 @@
 // What was done to the project, newest first; what was undone is still there to be done again.
 
 import { useAppState } from '../state/context';
-import { stepText } from '../state/editing';
+import { stepText } from '../state/steps';
 import { ago } from '../state/words';
 import { t } from '../texts/language';
 
@@ -17,7 +17,7 @@ export function HistoryList() {
       <ol>
         {steps.slice(0, kShown).map((step) => (
           <li key={step.number} class={step.undone ? 'undone' : ''}>
-            <span>{stepText(step.edits)}</span>
+            <span>{stepText(step.edits, state.known.value)}</span>
             <small>{step.undone ? t.pattern.undone : ago(step.created_ms, state.now.value)}</small>
           </li>
         ))}

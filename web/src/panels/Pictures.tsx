@@ -5,7 +5,9 @@ import { useEffect } from 'preact/hooks';
 import type { Job, StillOrder, StillWish } from '../api/types';
 import type { Viewpoint } from '../state/AppState';
 import { useAppState } from '../state/context';
+import { kStillMaps, type MapKind } from '../state/clothMaps';
 import { isActive } from '../state/jobs';
+import { inSentence } from '../state/words';
 import { Icon } from '../controls/Icon';
 import { t } from '../texts/language';
 import { told } from '../texts/told';
@@ -26,10 +28,10 @@ const kFilm = 'drape.film';
 
 const isUnderWay = (order: StillOrder): boolean => order.state === 'queued' || order.state === 'making';
 
-function wishFrom({ eye, target, angle, aspect }: Viewpoint, transparent: boolean): StillWish {
+function wishFrom({ eye, target, angle, aspect }: Viewpoint, transparent: boolean, map: MapKind | null): StillWish {
   const width = Math.round(Math.min(kSide, kSide * aspect));
   const height = Math.round(Math.min(kSide, kSide / aspect));
-  return { eye, target, angle, width, height, transparent };
+  return { eye, target, angle, width, height, transparent, ...(map && { map: kStillMaps[map] }) };
 }
 
 /** Nothing until the drape has ended, or where nobody takes pictures. */
@@ -53,14 +55,15 @@ async function answered(answer: Promise<StillOrder[]>, orders: Signal<StillOrder
 }
 
 function Taken({ job, taking }: { job: Job; taking: PictureTaking }) {
-  const { lookingFrom } = useAppState();
+  const { lookingFrom, mapKind } = useAppState();
   const orders = useSignal<StillOrder[]>([]);
   const trouble = useSignal('');
   const clear = useSignal(false);
+  const plain = useSignal(false);
   const under = orders.value.some(isUnderWay);
 
   const take = async (from: Viewpoint): Promise<StillOrder[]> => {
-    const order = await taking.takeStill(job.id, wishFrom(from, clear.value));
+    const order = await taking.takeStill(job.id, wishFrom(from, clear.value, plain.value ? null : mapKind.value));
     return [...orders.value.filter((other) => other.name !== order.name), order];
   };
   useEffect(() => void answered(taking.takenStills(job.id), orders, trouble), [job.id, taking, orders, trouble]);
@@ -86,14 +89,29 @@ function Taken({ job, taking }: { job: Job; taking: PictureTaking }) {
           </button>
         </li>
         <li>
-          <label class="check">
-            <input type="checkbox" checked={clear.value} onChange={() => (clear.value = !clear.value)} />
-            {t.report.pictures.clear}
-          </label>
+          <Check on={clear.value} flip={() => (clear.value = !clear.value)} label={t.report.pictures.clear} />
         </li>
+        {mapKind.value && (
+          <li>
+            <Check
+              on={!plain.value}
+              flip={() => (plain.value = !plain.value)}
+              label={t.report.pictures.map(inSentence(t.scene.maps[mapKind.value].title))}
+            />
+          </li>
+        )}
       </ul>
       <TakenList names={orders.value.filter(({ state }) => state === 'made').map(({ name }) => name)} job={job} taking={taking} />
     </>
+  );
+}
+
+function Check({ on, flip, label }: { on: boolean; flip: () => void; label: string }) {
+  return (
+    <label class="check">
+      <input type="checkbox" checked={on} onChange={flip} />
+      {label}
+    </label>
   );
 }
 

@@ -102,8 +102,10 @@ function PieceFigures({ piece, all }: { piece: Piece; all: readonly Piece[] }) {
           unit="°"
           take={(wanted) => void edits.send({ edit: 'rotate_grain', piece: piece.id, angle: turn(wanted - angle) })}
         />
-        <NumberField label="x" value={box.minX} length take={(x) => void move([x - box.minX, 0])} />
-        <NumberField label="y" value={box.minY} length take={(y) => void move([0, y - box.minY])} />
+        <span class="field-pair">
+          <NumberField label="x" value={box.minX} length take={(x) => void move([x - box.minX, 0])} />
+          <NumberField label="y" value={box.minY} length take={(y) => void move([0, y - box.minY])} />
+        </span>
       </div>
       <div class="button-row">
         <button class="plain" onClick={() => void edits.send({ edit: 'rotate_grain', piece: piece.id, angle: 45 })}>

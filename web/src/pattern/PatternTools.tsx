@@ -1,7 +1,7 @@
 // The buttons over the 2D view: what the hand does, undo and redo, and who has the large place.
 
 import { useCommands } from '../commands/context';
-import { turnsOf } from '../state/editing';
+import { turnsOf } from '../state/steps';
 import { useAppState } from '../state/context';
 import { patternTools } from '../tools/table';
 import { t } from '../texts/language';
@@ -42,9 +42,9 @@ function ToolButtons() {
 
 /** Undo and redo, with what they would do. */
 function Turns() {
-  const { editing, link } = useAppState();
+  const { editing, link, known } = useAppState();
   const { edits } = useCommands();
-  const { undo, redo } = turnsOf(editing.history.value);
+  const { undo, redo } = turnsOf(editing.history.value, known.value);
   const offline = link.value.state === 'lost';
   return (
     <>

@@ -15,13 +15,13 @@ const kSmallest = 0.02;
 const kLargest = 20;
 
 
-/** Shows a whole box (y up) with a margin in pixels, and below `top` pixels that are covered. */
-export function fit(box: Box, width: number, height: number, margin = 28, top = 0): Viewport {
+/** Shows a whole box (y up) with a margin in pixels, between pixels at the top and the bottom that are covered. */
+export function fit(box: Box, width: number, height: number, margin = 28, top = 0, bottom = 0): Viewport {
   const w = Math.max(box.maxX - box.minX, 1);
   const h = Math.max(box.maxY - box.minY, 1);
-  const down = Math.max(height - 2 * margin - top, 20);
+  const down = Math.max(height - 2 * margin - top - bottom, 20);
   const scale = Math.min(kLargest, Math.max(width - 2 * margin, 20) / w, down / h);
-  return { x: (box.minX + box.maxX) / 2, y: -(box.minY + box.maxY) / 2 - top / 2 / scale, scale };
+  return { x: (box.minX + box.maxX) / 2, y: -(box.minY + box.maxY) / 2 - (top - bottom) / 2 / scale, scale };
 }
 
 export const panned = (view: Viewport, dxPx: number, dyPx: number): Viewport => ({

@@ -10,6 +10,8 @@ import { fit, panned, viewBox, zoomed, type Viewport } from './Viewport';
 const kWheelStep = 1.0015;
 /** Height that the tools take of the view. */
 const kToolsPx = 34;
+/** And that the note and the buttons of the view take. */
+const kNotePx = 38;
 const kPanKeys: Record<string, [number, number]> = {
   arrowleft: [40, 0],
   arrowright: [-40, 0],
@@ -41,7 +43,7 @@ export function usePlaneView(boxes: () => readonly Box[], subject: () => string 
     const all = boxes();
     if (all.length === 0) return;
     touched.current = false;
-    view.value = fit(joined(all), size.value.width, size.value.height, 22, kToolsPx);
+    view.value = fit(joined(all), size.value.width, size.value.height, 22, kToolsPx, kNotePx);
   };
   useSignalEffect(() => {
     void size.value;

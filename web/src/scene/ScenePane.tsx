@@ -96,8 +96,8 @@ export function ScenePane(props: ScenePaneProps) {
       <div class="scene-top">
         <ViewTools hands={props.told === undefined} />
         {props.told === undefined && <HandHint />}
+        <MapLegend />
       </div>
-      <MapLegend />
     </section>
   );
 }
@@ -145,7 +145,7 @@ function connect(scene: SceneView, state: AppState): () => void {
       scene.lookAt(shown?.finding ?? null, calm.matches);
     }),
     effect(() => scene.show(state.bodyShown.value && state.shownBody.value !== null, state.meshShown.value)),
-    effect(() => scene.setLooks(state.looks.value)),
+    effect(() => scene.setLooks(state.clothLooks.value)),
     effect(() => scene.setFinishes(state.finishes.value)),
     effect(() => scene.showOpenSeams(!state.beforeDrape.value && state.job.value?.state === 'succeeded', token('--bad'))),
     effect(() => scene.setMap(state.beforeDrape.value || state.atHome.value ? null : state.clothMap.value)),

@@ -5,12 +5,12 @@ import type { ApiError } from '../api/http';
 import type { BodyMesh } from '../api/body';
 import type { StreamConnection } from '../api/JobStream';
 import type { Picture } from '../api/pictures';
-import type { EditStep, Job, Pieces, Progress, Project, Report, Session } from '../api/types';
+import type { EditStep, Fabric, Job, Pieces, Progress, Project, Report, SeenPieces, Session } from '../api/types';
 import type { ClothMap, MapKind } from './clothMaps';
 import type { AdminView } from './admin';
 import { ComparisonState } from './comparison';
 import { DressingState, type Marks } from './dressing';
-import { EditingState, keepsTheShape, stepText } from './editing';
+import { EditingState, keepsTheShape } from './editing';
 import { finishOf, type Finish } from './fabrics';
 import { HandsState } from './hands';
 import type { ImportDraft } from './importDraft';
@@ -19,9 +19,10 @@ import { hasBegun, isActive, jobAtHome, newestJobOf, withProgress } from './jobs
 import { LiveCloth } from './LiveCloth';
 import type { Route } from './routes';
 import { SectionState } from './SectionState';
+import { stepText, withSewn, type Known } from './steps';
 import { SweepState } from './sweeps';
 import { seamParts, type SeamPart } from './seamView';
-import { looksOf, type Look } from './texture';
+import { looksOf, onCloth, type Look } from './texture';
 import { standsAs, VersionState } from './versions';
 
 /** Something that is fetched. */
@@ -84,6 +85,8 @@ export class AppState {
   readonly history: Signal<Sample[]> = signal([]);
   readonly body: Signal<Loaded<BodyMesh> | null> = signal(null);
   readonly report: Signal<Loaded<Report> | null> = signal(null);
+  /** Its pieces as it drapes them: the project's may be of other fabrics by now. */
+  readonly seenPieces: Signal<Loaded<SeenPieces> | null> = signal(null);
   readonly cloth = new LiveCloth();
   /** Whether there is cloth to show. */
   readonly covered: Signal<boolean> = signal(false);
@@ -169,12 +172,6 @@ export class AppState {
     looksOf(valueOf(this.pieces.value ?? loading)?.pieces ?? [], this.project.value, this.pictures.value),
   );
 
-  /** How light plays on the pieces, by the piece's id; those of fabrics that nothing is known of are left out. */
-  readonly finishes: ReadonlySignal<ReadonlyMap<string, Finish>> = computed(() => {
-    const known = new Map(this.editing.fabrics.value.map((fabric) => [fabric.name, finishOf(fabric)]));
-    const pieces = valueOf(this.pieces.value ?? loading)?.pieces ?? [];
-    return new Map(pieces.flatMap(({ id, fabric }) => (known.has(fabric) ? [[id, known.get(fabric)!]] : [])));
-  });
 
   /** Whether the 3D view shows what a drape would begin with, not what it came to. */
   readonly beforeDrape: ReadonlySignal<boolean> = computed(() => {
@@ -185,12 +182,36 @@ export class AppState {
     return (job.state === 'failed' || job.state === 'cancelled') && !this.covered.value && !job.results?.['final.obj'];
   });
 
-  /** Whether hands reach the cloth that is shown: it drapes, and the way to it is open. */
-  readonly touchable: ReadonlySignal<boolean> = computed(() => {
+  /** Of the drape that is shown; null before one, and until it is known. */
+  private readonly draped_: ReadonlySignal<SeenPieces | null> = computed(() =>
+    this.beforeDrape.value ? null : valueOf(this.seenPieces.value ?? loading),
+  );
+
+  /** Pictures on the cloth of the 3D view: they lie there as the project has them now, since no drape depends on them. */
+  readonly clothLooks: ReadonlySignal<ReadonlyMap<string, Look>> = computed(() =>
+    onCloth(this.looks.value, this.draped_.value?.pieces ?? []),
+  );
+
+  /** How light plays on that cloth, by the piece's id; pieces of fabrics that nothing is known of are left out. */
+  readonly finishes: ReadonlySignal<ReadonlyMap<string, Finish>> = computed(() => {
+    const draped = this.draped_.value;
+    const fabrics: readonly Fabric[] = draped?.fabrics ?? this.editing.fabrics.value;
+    const known = new Map(fabrics.map((fabric) => [fabric.name, finishOf(fabric)]));
+    const pieces = (draped ?? valueOf(this.pieces.value ?? loading))?.pieces ?? [];
+    return new Map(pieces.flatMap(({ id, fabric }) => (known.has(fabric) ? [[id, known.get(fabric)!]] : [])));
+  });
+
+  /** The newest word of the cloth that is shown comes from its drape, and the way there is open. */
+  private readonly live_: ReadonlySignal<boolean> = computed(() => {
     const job = this.job.value;
     if (!job || this.atHome.value || this.beforeDrape.value || !this.covered.value) return false;
-    return hasBegun(job) && job.progress?.phase !== 'stills' && this.stream.value.state === 'open';
+    return hasBegun(job) && this.stream.value.state === 'open';
   });
+
+  /** Whether hands reach that cloth. */
+  readonly touchable: ReadonlySignal<boolean> = computed(
+    () => this.live_.value && this.job.value?.progress?.phase !== 'stills',
+  );
 
   /** Whether there is a drape's cloth to cut through. */
   readonly cuttable: ReadonlySignal<boolean> = computed(
@@ -207,7 +228,8 @@ export class AppState {
   /** And its cloth, which hangs, may go on hanging after all that was edited. */
   readonly goesOnWarm: ReadonlySignal<boolean> = computed(() => {
     const job = this.job.value;
-    if (!job || !this.outdated.value || !this.touchable.value || job.progress?.phase !== 'drape') return false;
+    const hangs = ['drape', 'stills'].includes(job?.progress?.phase ?? '');
+    if (!job || !this.outdated.value || !this.live_.value || !hangs) return false;
     const steps = this.editing.history.value.filter((step) => step.created_ms > job.created_ms);
     return steps.length > 0 && steps.every(({ edits }) => edits.every(keepsTheShape));
   });
@@ -225,9 +247,16 @@ export class AppState {
     return steps;
   });
 
+  /** What the steps of the history are about. */
+  readonly known: ReadonlySignal<Known> = computed(() => {
+    const { history, seamsSeen } = this.editing;
+    const pieces = valueOf(this.pieces.value ?? loading)?.pieces ?? [];
+    return withSewn({ pieces, seams: seamsSeen.value }, history.value);
+  });
+
   /** What was done to the project after its drape had begun, newest first; null while the drape is as new as the project. */
   readonly since: ReadonlySignal<readonly string[] | null> = computed(
-    () => this.stepsSince_.value?.map((step) => stepText(step.edits)) ?? null,
+    () => this.stepsSince_.value?.map((step) => stepText(step.edits, this.known.value)) ?? null,
   );
 
   /** The job from whose end the next drape goes on; null where it begins from the pieces. */
@@ -271,6 +300,13 @@ export class AppState {
     shown.value = !shown.value;
     if (!shown.value || ['drape', 'result'].includes(this.tab.value)) return;
     this.tab.value = this.job.value && isActive(this.job.value.state) ? 'drape' : 'result';
+  }
+
+  /** Shows the pieces, and keeps the seams for when they are gone. */
+  putPieces(loaded: Pieces): void {
+    const { seamsSeen } = this.editing;
+    this.pieces.value = ready(loaded);
+    seamsSeen.value = new Map([...seamsSeen.value, ...loaded.seams.map((seam) => [seam.id, seam] as const)]);
   }
 
   /** Puts one job's newest row into the list. */

@@ -2,7 +2,7 @@
 // each vertex, and how values become the eight colours of the legend. Pure.
 
 import type { ClothTopology } from '../api/frames';
-import type { Piece, Point } from '../api/types';
+import type { Piece, Point, StillWish } from '../api/types';
 import type { BodySurface } from './BodySurface';
 import { fixed, plain } from '../texts/numbers';
 import { patternDigits, patternSign, shownMm } from '../texts/units';
@@ -45,6 +45,9 @@ export const kMaps: Record<MapKind, MapRule> = {
     smallIsRed: true,
   },
 };
+
+/** What the service calls a map when it takes pictures. */
+export const kStillMaps: Record<MapKind, NonNullable<StillWish['map']>> = { warp: 'warp', weft: 'weft', shear: 'shear', room: 'ease' };
 
 const kKinds: readonly (MapKind | null)[] = [null, ...(Object.keys(kMaps) as MapKind[])];
 
@@ -209,7 +212,7 @@ export function measured(
 }
 
 /** Directions of the warp by piece. */
-export const grainsOf = (pieces: readonly Piece[]): Map<string, Point> =>
+export const grainsOf = (pieces: readonly Pick<Piece, 'id' | 'grain'>[]): Map<string, Point> =>
   new Map(pieces.map(({ id, grain }) => [id, grain ?? [0, 1]]));
 
 /** The triangles of a piece by their colour, as paths on the flat pattern in mm, y down; empty where none has it. */

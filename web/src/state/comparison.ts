@@ -4,7 +4,7 @@ import { signal, type Signal } from '@preact/signals';
 import type { BodyMesh } from '../api/body';
 import type { ClothTopology } from '../api/frames';
 import type { ApiError } from '../api/http';
-import type { Job, Piece, Report } from '../api/types';
+import type { Job, Report, SeenPiece } from '../api/types';
 import { fitRows } from './fit';
 import { stopText } from './report';
 import { count, duration, inSentence, percent, seconds } from './words';
@@ -19,8 +19,8 @@ export interface ComparedDrape {
   positions: Float32Array;
   /** Null: it hung without a body, or that cannot be had. */
   body: BodyMesh | null;
-  /** As the project has them now: their colours and grains. */
-  pieces: readonly Piece[];
+  /** As they were draped: their colours and grains. */
+  pieces: readonly SeenPiece[];
   report: Report | null;
 }
 

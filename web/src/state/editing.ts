@@ -2,14 +2,13 @@
 // undone. Commands write it, views read it.
 
 import { signal, type Signal } from '@preact/signals';
-import type { Asset, Edit, EditStep, Fabric, Piece, PieceEdge, Point, SeamProposal } from '../api/types';
+import type { Asset, Edit, EditStep, Fabric, Piece, PieceEdge, Point, SeamProposal, SeamSides } from '../api/types';
 import type { ApiError } from '../api/http';
 import type { Loaded } from './AppState';
 import { jointsOf } from './outline';
 import { PerProject } from './PerProject';
 import { seriesOf, withSeries, type LoopPlace, type RangeDraft } from './seamRange';
 import { emptyDraft, type SeamDraft } from './seamView';
-import { t } from '../texts/language';
 
 /** What has to be known of a tool of the 2D view to take it; the tools themselves stand in tools/. */
 export interface ToolFacts {
@@ -54,6 +53,8 @@ export class EditingState extends PerProject {
   /** The last edit that was refused, until another one is tried. */
   readonly problem: Signal<ApiError | null> = this.perProject(null);
   readonly history: Signal<EditStep[]> = this.perProject([]);
+  /** All that were on the pattern since it is looked at, by their id: the history tells of some that are gone. */
+  readonly seamsSeen: Signal<ReadonlyMap<string, SeamSides>> = this.perProject(new Map());
   /** Uploaded pictures, for choosing. */
   readonly images: Signal<Asset[]> = signal([]);
   /** The library; empty until it was asked for. */
@@ -65,15 +66,6 @@ export class EditingState extends PerProject {
   readonly large: Signal<boolean> = signal(false);
   /** Where pieces that lie on one another are shown instead, mm, by their id; kept while the project is shown. */
   readonly offsets: Signal<ReadonlyMap<string, Point>> = this.perProject(new Map());
-}
-
-
-
-/** A step that changes lists of the document as a whole: who makes it says no more than which. */
-function restoreText(edit: Edit): string {
-  if ('bodies' in edit) return t.edits.change.bodies;
-  if ('seams' in edit) return t.edits.change.seams;
-  return 'pieces' in edit ? t.edits.change.pieces : t.edits.change.other;
 }
 
 const kKeepTheShape: ReadonlySet<string> = new Set([
@@ -96,27 +88,6 @@ const kKeepTheShape: ReadonlySet<string> = new Set([
 /** Whether a garment that hangs may go on hanging after the edit: its pieces are the same, sewn as before, where they were. */
 export function keepsTheShape(edit: Edit): boolean {
   return kKeepTheShape.has(edit.edit);
-}
-
-/** A step of the history in a few words. */
-export function stepText(edits: readonly Edit[]): string {
-  const first = edits[0];
-  if (!first) return t.edits.nothing;
-  if (first.edit === 'restore') return restoreText(first);
-  const words = (t.edits.kinds as Record<string, string>)[first.edit] ?? first.edit.replace(/_/g, ' ');
-  const same = edits.every((edit) => edit.edit === first.edit);
-  if (edits.length > 1) return same ? `${words} × ${edits.length}` : t.edits.andMore(words, edits.length - 1);
-  const on: Record<string, unknown> = { ...first };
-  const what = [on.piece, on.edge ?? on.seam ?? on.line].filter((word) => typeof word === 'string');
-  return what.length > 0 ? `${words}, ${what.join(' · ')}` : words;
-}
-
-/** What Ctrl+Z and Ctrl+Shift+Z would do; null where there is nothing. */
-export function turnsOf(history: readonly EditStep[]): { undo: string | null; redo: string | null } {
-  const undo = history.find((step) => !step.undone);
-  const undone = history.filter((step) => step.undone);
-  const redo = undone[undone.length - 1];
-  return { undo: undo ? stepText(undo.edits) : null, redo: redo ? stepText(redo.edits) : null };
 }
 
 /** The selected part as it is in the pieces; null when they do not have it any more. */

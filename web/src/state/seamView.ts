@@ -163,12 +163,23 @@ const partText = ({ from = 0, to = 1 }: SeamEdge): string =>
 
 /** Ids that the service or the page gave, not a person. */
 const kGivenId = /^(seam|s)?\d+$/;
+export const isGivenSeam = (id: string): boolean => kGivenId.test(id);
 
 /** "front to back and back_mirrored": the pieces that a seam joins, each once. */
 function joins({ a, b }: SeamSides): string {
   const [from, to] = [a, b].map((series) => [...new Set(series.map((use) => use.piece))]);
   const all = (ids: string[]): string => ids.join(` ${t.pattern.and} `);
   return from!.join() === to!.join() ? t.pattern.toItself(all(from!)) : t.pattern.joins(all(from!), all(to!));
+}
+
+/** So many edges can be told one by one. */
+const kTold = 3;
+
+/** A seam without its number: its name, or the edges that it joins. */
+export function seamWords(seam: SeamSides, pieces: readonly Piece[]): string {
+  if (!isGivenSeam(seam.id)) return seam.id;
+  const { a, b } = seam;
+  return a.length + b.length > kTold ? joins(seam) : t.pattern.joins(seriesText(a, pieces), seriesText(b, pieces));
 }
 
 /** A seam as a person would call it: its number on the pattern with its name, or with the pieces that it joins. */
@@ -179,7 +190,7 @@ export function seamTitle(seams: readonly SeamSides[], id: string): string {
 }
 
 export const numberedTitle = (seam: SeamSides, index: number): string =>
-  `${index + 1} ${kGivenId.test(seam.id) ? joins(seam) : seam.id}`;
+  `${index + 1} ${isGivenSeam(seam.id) ? joins(seam) : seam.id}`;
 
 /** Seams that use an edge, by their number. */
 export function seamsOfEdge(seams: readonly SeamSides[], piece: string, edge: string): number[] {

@@ -81,6 +81,12 @@ export function looksOf(
   return looks;
 }
 
+/** The same pictures on cloth of other colours: that of a drape, whose fabric may have been changed since. */
+export function onCloth(looks: ReadonlyMap<string, Look>, cloth: readonly Pick<Piece, 'id' | 'colour'>[]): ReadonlyMap<string, Look> {
+  const colours = new Map(cloth.map(({ id, colour }) => [id, colour]));
+  return new Map([...looks].map(([id, look]) => [id, { ...look, colour: colours.get(id) ?? look.colour }]));
+}
+
 /** The name under which a project has a file, or one that is free there. */
 export function nameInProject(files: Readonly<Record<string, string>>, name: string, asset: string): string {
   const known = Object.entries(files).find(([, id]) => id === asset);

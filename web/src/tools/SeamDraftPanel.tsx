@@ -63,18 +63,17 @@ function DraftEdges({ side, pieces }: { side: Side; pieces: Pieces }) {
   const state = useAppState();
   const { seams } = useCommands();
   const series = state.editing.draft.value[side];
+  const whole = ({ piece, edge }: SeamEdge): string => seriesText([{ piece, edge }], pieces.pieces);
   if (series.length === 0) return null;
   return (
     <ul class="draft-edges" aria-label={t.pattern.edgesOfSide(side.toUpperCase())}>
       {series.map((use, i) => (
         <li key={`${i} ${use.piece} ${use.edge}`}>
-          <span>
-            {use.piece} · {use.edge}
-          </span>
+          <span>{whole(use)}</span>
           <RangeFields use={use} {...{ pieces }} take={(from, to) => seams.cutDraft(side, i, from, to)} />
           <button
             class="tool flat"
-            aria-label={t.pattern.leaveOut(`${use.piece} · ${use.edge}`)}
+            aria-label={t.pattern.leaveOut(whole(use))}
             onClick={() => seams.leaveOut(side, i)}
           >
             <Icon name="cross" />

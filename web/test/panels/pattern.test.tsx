@@ -386,7 +386,7 @@ describe('the fabric of pieces', () => {
     const [a, b] = two().pieces.map((piece, i) => ({ ...piece, fabric: i === 0 ? 'twill' : 'my own' }));
     page.show(<FabricField pieces={[a!, b!]} />);
     expect(screen.getByText('pieces differ')).toBeTruthy();
-    expect(screen.getByText('twill, my own')).toBeTruthy();
+    expect(screen.getByText('Title of twill, my own')).toBeTruthy();
     page.show(<FabricField pieces={[a!]} />);
     expect(screen.getByText(/^240 g\/m² · cotton, 2\/1 twill/)).toBeTruthy();
     expect(screen.getByText('Bending length').nextSibling!.textContent).toBe('26 / 25 mm');

@@ -316,6 +316,31 @@ describe('the results', () => {
     expect(wishes).toEqual([{ eye: [0, 1, 3], target: [0, 1, 0], angle: 32, width: 1280, height: 640, transparent: true }]);
   });
 
+  it('are of the map that is shown, unless the cloth itself is wanted', async () => {
+    const maps: StillWish['map'][] = [];
+    const taking = {
+      takeStill: async (_: string, wish: StillWish): Promise<StillOrder> => {
+        maps.push(wish.map);
+        return { name: 'still-from-1.png', state: 'made', fraction: 1, href: null, error: null };
+      },
+      takenStills: async () => [],
+      resultUrl,
+    };
+    page.change((state) => {
+      state.lookingFrom.value = () => ({ eye: [0, 1, 3], target: [0, 1, 0], angle: 32, aspect: 1 });
+      state.mapKind.value = 'room';
+    });
+    page.show(<Pictures job={jobOf({ state: 'succeeded', results: { 'drape.film': 900 } })} taking={taking} />);
+    const take = (): void => void click(screen.getByRole('button', { name: /Picture from here/ }));
+    take();
+    await screen.findByRole('link', { name: 'Picture 1' });
+    click(screen.getByRole('checkbox', { name: 'Coloured by room to the body, with the legend' }));
+    take();
+    page.change((state) => (state.mapKind.value = null));
+    expect(screen.queryByRole('checkbox', { name: /^Coloured by/ })).toBeNull();
+    expect(maps).toEqual(['ease', undefined]);
+  });
+
   it('say why a picture could not be taken', async () => {
     const taking = {
       takeStill: async (): Promise<StillOrder> => {

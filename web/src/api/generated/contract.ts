@@ -968,6 +968,7 @@ export interface paths {
          * @description For edits while a drape is under way. Makes a new job of the project in its present state, which begins with the cloth as it hangs just
          *     now, cut to the edited pieces (from the pieces where it does not hang yet), and ends this one as cancelled, with the code `superseded` and
          *     the new job's id as reason_where. Its stream says so in its last message; whoever looks on goes to the new job's stream.
+         *     A drape whose pictures are being drawn has come to its end, and keeps it: the new job begins there, and this one gets its pictures and succeeds.
          */
         post: operations["goOnJob"];
         delete?: never;
@@ -1174,6 +1175,29 @@ export interface paths {
          *     codes of what went wrong. At most 256 KiB, the oldest.
          */
         get: operations["logOfJob"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/pieces": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * Colours, fabrics and prints of the pieces as they are draped, without their outlines
+         * @description Those of the document that the job keeps, whatever has become of the project since.
+         */
+        get: operations["jobPieces"];
         put?: never;
         post?: never;
         delete?: never;
@@ -6825,6 +6849,32 @@ export interface operations {
                 };
             };
             404: components["responses"]["Problem"];
+            default: components["responses"]["Problem"];
+        };
+    };
+    jobPieces: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @example j_1qedqq1nd5hfbjxpm78j */
+                id: components["parameters"]["JobId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The pieces, and the fabrics of the library among theirs */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SeenPieces"];
+                };
+            };
+            404: components["responses"]["Problem"];
+            422: components["responses"]["Problem"];
             default: components["responses"]["Problem"];
         };
     };

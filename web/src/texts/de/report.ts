@@ -24,6 +24,7 @@ export const report: Texts['report'] = {
     take: 'Bild von hier',
     asked: 'PNG, wie die 3D-Ansicht gerade zu sehen ist',
     clear: 'Ohne Hintergrund',
+    map: (title) => `Gefärbt nach „${title}“, mit Legende`,
     takes: 'Wird aufgenommen',
     taken: (number) => `Bild ${number}`,
   },

@@ -23,6 +23,7 @@ export const report = {
     take: 'Picture from here',
     asked: 'PNG, as the 3D view is seen now',
     clear: 'Without a backdrop',
+    map: (title: string) => `Coloured by ${title}, with the legend`,
     takes: 'Is being taken',
     taken: (number: number) => `Picture ${number}`,
   },

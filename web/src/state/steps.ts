@@ -1,0 +1,60 @@
+// Steps of the history in words, as a pattern maker calls what they are about. Pure.
+
+import type { Edit, EditStep, Piece, SeamSides } from '../api/types';
+import { edgeWords, isGivenSeam, seamWords } from './seamView';
+import { t } from '../texts/language';
+
+/** What steps may be about. */
+export interface Known {
+  pieces: readonly Piece[];
+  seams: ReadonlyMap<string, SeamSides>;
+}
+
+/** With the seams that the history itself tells of. */
+export function withSewn(known: Known, history: readonly EditStep[]): Known {
+  const sewn = history.flatMap(({ edits }) => edits.filter((edit) => edit.edit === 'add_seam'));
+  return { ...known, seams: new Map([...sewn.map((seam) => [seam.id, seam] as const), ...known.seams]) };
+}
+
+/** A step that changes lists of the document as a whole: who makes it says no more than which. */
+function restoreText(edit: Edit): string {
+  if ('bodies' in edit) return t.edits.change.bodies;
+  if ('seams' in edit) return t.edits.change.seams;
+  return 'pieces' in edit ? t.edits.change.pieces : t.edits.change.other;
+}
+
+/** An id that nobody gave a name says nothing of a seam that is not known any more. */
+function seamOf(id: string, { pieces, seams }: Known): string {
+  const seam = seams.get(id);
+  if (seam) return seamWords(seam, pieces);
+  return isGivenSeam(id) ? '' : id;
+}
+
+function whatOf(edit: Edit, known: Known): string {
+  if (edit.edit === 'add_seam') return seamWords(edit, known.pieces);
+  const on: Record<string, unknown> = { ...edit };
+  if (typeof on.seam === 'string') return seamOf(on.seam, known);
+  const edge = typeof on.edge === 'string' ? edgeWords(known.pieces.find(({ id }) => id === on.piece), on.edge) : on.line;
+  return [on.piece, edge].filter((word) => typeof word === 'string').join(' · ');
+}
+
+/** A step of the history in a few words. */
+export function stepText(edits: readonly Edit[], known: Known): string {
+  const first = edits[0];
+  if (!first) return t.edits.nothing;
+  if (first.edit === 'restore') return restoreText(first);
+  const words = (t.edits.kinds as Record<string, string>)[first.edit] ?? first.edit.replace(/_/g, ' ');
+  const same = edits.every((edit) => edit.edit === first.edit);
+  if (edits.length > 1) return same ? `${words} × ${edits.length}` : t.edits.andMore(words, edits.length - 1);
+  const what = whatOf(first, known);
+  return what ? `${words}, ${what}` : words;
+}
+
+/** What Ctrl+Z and Ctrl+Shift+Z would do; null where there is nothing. */
+export function turnsOf(history: readonly EditStep[], known: Known): { undo: string | null; redo: string | null } {
+  const undo = history.find((step) => !step.undone);
+  const undone = history.filter((step) => step.undone);
+  const redo = undone[undone.length - 1];
+  return { undo: undo ? stepText(undo.edits, known) : null, redo: redo ? stepText(redo.edits, known) : null };
+}
+
