@@ -57,4 +57,3 @@ export function turnsOf(history: readonly EditStep[], known: Known): { undo: str
   const redo = undone[undone.length - 1];
   return { undo: undo ? stepText(undo.edits, known) : null, redo: redo ? stepText(redo.edits, known) : null };
 }
-
