@@ -56,10 +56,10 @@ struct OpenSeam {
 
 /// Whether the body wears what was draped.
 enum class Worn : std::uint8_t {
-  kNobody,  ///< there is no standing person, or nothing that is sewn
+  kNobody,  ///< there is no standing person, or nothing that is sewn and nothing fell
   kYes,
   kPartly,  ///< a seam is open
-  kNo,      ///< a ring is not around the limb that it is for, or the garment lies on the ground
+  kNo,      ///< a ring is not around the limb that it is for, or what is worn came down
 };
 /// "", "yes", "partly", "no".
 std::string_view word_of(Worn worn);

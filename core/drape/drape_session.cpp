@@ -61,11 +61,17 @@ std::unique_ptr<DrapeSession> DrapeSession::start(const DrapeInput& input, const
   return session;
 }
 
-void DrapeSession::add_ground(double height) {
-  grounded_ = true;
+void DrapeSession::put_ground(double height) {
   const Ground ground(height);
-  obstacles_.push_back(
-      collision::make_obstacle(ground.corners, ground.triangles, ground.friction, ground.skin));
+  collision::Obstacle obstacle =
+      collision::make_obstacle(ground.corners, ground.triangles, ground.friction, ground.skin);
+  if (grounded_) {
+    obstacles_.back() = std::move(obstacle);
+    crossings_.move_body(crossings_.bodies().size() - 1, ground.corners);
+    return;
+  }
+  grounded_ = true;
+  obstacles_.push_back(std::move(obstacle));
   crossings_.add_body(ground.corners, ground.triangles);
 }
 
@@ -107,7 +113,7 @@ Status DrapeSession::go_on_from(const warm::HungGarment& before, const mesh::Pan
 }
 
 void DrapeSession::begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) {
-  if (ground && !grounded_) add_ground(*ground);
+  if (ground) put_ground(*ground);
   phase_ = Phase::kSew;
   stop_reason_.reset();
   lost_.assign(lost_.size(), false);
@@ -145,7 +151,7 @@ DrapeSession::DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& mes
                                                   body.skin_offset, body.restitution));
     crossings_.add_body(body.mesh.vertices, body.mesh.triangles);
   }
-  if (ground) add_ground(*ground);
+  if (ground) put_ground(*ground);
   if (input.settings.dress && !dynamic()) wearer_ = dressing::find_person(input.bodies);
   const Weld open = no_weld(assembly_.positions);
   vertex_of_ = open.vertex_of;

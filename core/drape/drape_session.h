@@ -80,7 +80,7 @@ class DrapeSession : public Session {
 
   DrapeSession(const DrapeInput& input, const mesh::PanelMeshes& meshes, sewing::Assembly assembly,
                std::optional<double> ground);
-  void add_ground(double height);
+  void put_ground(double height);
   void begin_dressed(const std::vector<Vec3>& positions);
   double sew_time() const;
   double share_out_of_shape() const;

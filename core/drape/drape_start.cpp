@@ -135,6 +135,17 @@ PutOnTries nearer_of(PutOnTries first, PutOnTries second) {
   return second.at_fault.empty() || first.shortfall < second.shortfall ? first : second;
 }
 
+/// Garments are arranged, put on and judged for somebody who looks along +z.
+void tell_turned_body(const std::optional<dressing::Person>& person, preflight::Findings& findings) {
+  if (!person || !dressing::looks_back(*person)) return;
+  findings.push_back(preflight::found(
+      preflight::FindingKind::kBodyTurned,
+      "the body looks to the back, along -z, so that the garment goes on back to front; turn it by 180 "
+      "degrees about y",
+      {preflight::body_named(person->body->id)}, person->figure.neck_front));
+  preflight::sort_by_severity(findings);
+}
+
 }  // namespace
 
 void begin_on_body(DrapeStart& start) {
@@ -156,6 +167,7 @@ Result<DrapeStart> prepare_start(const DrapeInput& input, const RunContext& cont
   start.person = dressing::find_person(input.bodies);
   start.findings = preflight::run_preflight(
       {input.pattern, start.meshes, input.bodies, input.settings.particle_distance}, start.assembly);
+  tell_turned_body(start.person, start.findings);
   tell_left_out(input, start.findings);
   tell_left_open(input, start.meshes, start.placed, start.findings);
   return start;

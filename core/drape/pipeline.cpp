@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 
+#include "core/base/aabb.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
 #include "core/drape/drape_session.h"
@@ -63,14 +64,26 @@ constexpr double kOffGround = 1.5e-3;  // m, that cloth starts above the ground 
 constexpr double kWorthTelling = 0.1;  // s, that bodies waited
 constexpr std::size_t kMostId = 200;   // bytes of a seam's id within a sentence
 
-/// The floor that the person stands on, where all of the cloth starts above it; what was put on does.
+/// Height of the ground: the floor that the person stands on, or just under the cloth where that starts
+/// lower, since ground lets nothing through and cloth without any would fall for ever. What was put on is
+/// above the floor.
 std::optional<double> ground_under(const DrapeInput& input, const DrapeStart& start, bool on_body) {
   if (!input.settings.ground || !start.person) return std::nullopt;
   const double floor = start.person->figure.floor;
+  if (on_body) return floor;
+  return std::min(floor, bounding_box(start.assembly.positions).low.y - kOffGround);
+}
+
+void tell_low_ground(const DrapeStart& start, std::optional<double> ground, preflight::Findings& findings) {
+  constexpr double kLow = 0.01;  // m below the floor that nobody sees
+  if (!ground || start.person->figure.floor - *ground < kLow) return;
   const std::vector<Vec3>& x = start.assembly.positions;
-  const bool above =
-      on_body || std::all_of(x.begin(), x.end(), [&](Vec3 p) { return p.y > floor + kOffGround; });
-  return above ? std::optional(floor) : std::nullopt;
+  const auto lowest = std::min_element(x.begin(), x.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
+  findings.push_back(preflight::found(
+      preflight::FindingKind::kBelowFloor,
+      "cloth begins " + preflight::length_text(start.person->figure.floor - lowest->y) +
+          " below the soles of the feet, and the ground lies there; place it higher to have it on the floor",
+      {}, *lowest));
 }
 
 /// Those of the input, as they stand now.
@@ -223,6 +236,7 @@ Status DrapeRun::begin(DrapeStart start, bool on_body) {
   if (auto refused = preflight::first_error(start.findings)) return *refused;
   result_.findings = std::move(start.findings);
   const std::optional<double> ground = ground_under(input(), start, on_body);
+  tell_low_ground(start, ground, result_.findings);
   person_ = start.person;
   std::optional<std::vector<Vec3>> dressed;
   if (start.dressed) dressed = std::move(start.dressed->positions);
@@ -283,6 +297,9 @@ void DrapeRun::begin_anew(const RunContext& context) {
   start_ = on->start;
   tops_ = tops_where_begun(start->placed, on->positions);
   session_->begin_anew(on->positions, ground_under(input(), *start, true));
+  std::erase_if(result_.findings, [](const preflight::Finding& f) {
+    return f.kind == preflight::FindingKind::kBelowFloor;  // the ground is the floor now
+  });
 }
 
 /// Shows a frame to the sink and counts its crossings.

@@ -62,6 +62,37 @@ std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& g
   return slipped;
 }
 
+/// Where all of the cloth lies on the ground: its highest place.
+std::optional<Vec3> fallen(const measure::BodyFigure& figure, std::span<const Vec3> x) {
+  const auto highest = std::max_element(x.begin(), x.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
+  if (highest->y < figure.leg[0].ankle.y + kDropped) return *highest;
+  return std::nullopt;
+}
+
+preflight::Finding on_ground(Vec3 at) {
+  return preflight::found(preflight::FindingKind::kOnGround, "the garment has fallen to the ground", {}, at);
+}
+
+/// Cloth that is laid on somebody, such as a scarf, is no garment that is worn or not, unless it falls. Of
+/// several pieces those fall that nothing carries: they end below the crotch.
+WornVerdict judge_unsewn(const DrapeInput& input, const measure::BodyFigure& figure,
+                         const sewing::GarmentMesh& garment, std::span<const Vec3> x) {
+  const std::vector<double> tops = tops_of(garment, x);
+  preflight::Concerns down;
+  for (std::size_t p = 0; p < tops.size(); ++p)
+    if (tops[p] < figure.crotch) down.push_back(preflight::piece_named(input.pattern.panels[p].id));
+  WornVerdict verdict;
+  if (const std::optional<Vec3> at = fallen(figure, x)) verdict.findings.push_back(on_ground(*at));
+  if (tops.size() > 1 && input.notions.buttons.empty() && !down.empty())
+    verdict.findings.push_back(
+        preflight::found(preflight::FindingKind::kUnsewn,
+                         "no seam joins the pieces, and they came down from the body; sew them on the page, "
+                         "or make the project with toile project new --accept-seams 0.8",
+                         std::move(down), {}));
+  if (!verdict.findings.empty()) verdict.worn = Worn::kNo;
+  return verdict;
+}
+
 bool is_whole(const DrapeInput& input, const std::vector<OpenSeam>& open) {
   return open.empty() && input.left_open.empty() &&
          std::all_of(input.left_out.begin(), input.left_out.end(),
@@ -83,8 +114,9 @@ std::vector<double> tops_of(const sewing::GarmentMesh& garment, std::span<const 
 WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Person>& person,
                        const sewing::GarmentMesh& garment, std::span<const Vec3> x,
                        std::span<const double> tops, const std::vector<OpenSeam>& open) {
+  if (!person || x.empty()) return {};
+  if (garment.sewn.empty()) return judge_unsewn(input, person->figure, garment, x);
   WornVerdict verdict;
-  if (!person || garment.sewn.empty() || x.empty()) return verdict;
   verdict.worn = is_whole(input, open) ? Worn::kYes : Worn::kPartly;
   const auto add = [&](preflight::FindingKind kind, std::string message, preflight::Concerns about, Vec3 at) {
     verdict.findings.push_back(preflight::found(kind, std::move(message), std::move(about), at));
@@ -110,9 +142,10 @@ WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Pe
     verdict.findings.push_back(std::move(f));
     verdict.worn = Worn::kNo;
   }
-  const auto highest = std::max_element(x.begin(), x.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
-  if (highest->y < person->figure.leg[0].ankle.y + kDropped)
-    add(preflight::FindingKind::kOnGround, "the garment has fallen to the ground", {}, *highest);
+  if (const std::optional<Vec3> at = fallen(person->figure, x)) {
+    verdict.findings.push_back(on_ground(*at));
+    verdict.worn = Worn::kNo;
+  }
   return verdict;
 }
 

@@ -1,5 +1,7 @@
 #include "core/dressing/person.h"
 
+#include "core/body/measure/stance.h"
+
 namespace toile::dressing {
 
 std::optional<Person> find_person(std::span<const body::Body> bodies) {
@@ -7,6 +9,11 @@ std::optional<Person> find_person(std::span<const body::Body> bodies) {
     if (auto figure = measure::find_figure(body.mesh)) return Person{&body, *figure};
   }
   return std::nullopt;
+}
+
+bool looks_back(const Person& person) {
+  const Result<measure::StandingBody> standing = measure::stand_body(person.body->mesh);
+  return standing && standing->stance.quarter_turns == 2;
 }
 
 }  // namespace toile::dressing

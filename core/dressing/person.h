@@ -16,4 +16,7 @@ struct Person {
 };
 std::optional<Person> find_person(std::span<const body::Body> bodies);
 
+/// Whether the person looks along -z, against all that is put on along +z.
+bool looks_back(const Person& person);
+
 }  // namespace toile::dressing

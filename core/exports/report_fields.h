@@ -264,7 +264,8 @@ void describe(Visitor& v, exports::ReportDocument& report) {
   v.choice(
       "worn", report.worn,
       "Whether the body wears the garment: every ring around the limb that it is for, and nothing fallen. "
-      "partly: but for a seam that is open. Absent where nobody stands there.",
+      "partly: but for a seam that is open. Absent where nobody stands there, and where cloth without seams "
+      "stays on the body.",
       {"yes", "partly", "no"});
   v.field("attachments", report.attachments, "What the document's attachments did, in their order.",
           Need::kRequired);

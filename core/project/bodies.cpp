@@ -65,6 +65,27 @@ Result<mannequin::MannequinSettings> mannequin_settings(const ProjectMannequin& 
   return settings;
 }
 
+// It turns about the upright axis last, and a document about z last; after half a turn about z the one is the
+// other, backwards.
+void stand_up(ProjectBody& body, const measure::BodyStance& stance) {
+  body.unit = stance.unit_in_m == 1e-2 ? "cm" : stance.unit_in_m == 1e-3 ? "mm" : "m";
+  if (stance.unit_in_m == 0.1) body.scale = 0.1;
+  body.up = std::string(1, stance.up);
+  const double turn = 90.0 * stance.quarter_turns;
+  body.rotation = stance.upside_down ? Vec3{0, -turn, 180} : Vec3{0, turn, 0};
+}
+
+std::string turned_words(const measure::BodyStance& stance) {
+  std::string words;
+  const auto add = [&](const std::string& more) { words += (words.empty() ? "" : ", ") + more; };
+  if (stance.up == 'z') add("z is up in its file, and it is set upright");
+  if (stance.upside_down) add("its head was below, and it is turned over");
+  if (stance.quarter_turns != 0)
+    add(std::string("it looked ") + (stance.quarter_turns == 2 ? "to the back" : "to the side") +
+        ", and is turned by " + std::to_string(90 * stance.quarter_turns) + "° to look to the front");
+  return words;
+}
+
 Result<ProjectMannequin> read_mannequin(const json::JsonValue& object, const std::string& where) {
   return read_alone<ProjectMannequin>(object, where);
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/body/mannequin/mannequin.h"
+#include "core/body/measure/stance.h"
 #include "core/json/tree.h"
 #include "core/project/project.h"
 
@@ -25,6 +26,12 @@ Result<ProjectMannequin> read_mannequin(const json::JsonValue& object, const std
 Result<ProjectBody> read_body(const json::JsonValue& object, const std::string& where);
 /// As a document has it.
 json::JsonValue mannequin_json(const ProjectMannequin& mannequin);
+
+/// The body of a file, whose unit and directions are not said yet, as stand_body() put it; not its height.
+void stand_up(ProjectBody& body, const measure::BodyStance& stance);
+/// How the body was turned for that, in words; empty where it stood upright in its file and looked to the
+/// front.
+std::string turned_words(const measure::BodyStance& stance);
 
 /// What the document means without its bodies, which take long to read: what is told by them goes with them.
 Project without_bodies(Project project);

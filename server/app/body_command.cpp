@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <string>
 
 #include "core/base/text.h"
 #include "core/body/mannequin/mannequin.h"
@@ -57,9 +59,19 @@ project::ProjectMannequin document_of(const BodyMakeOptions& options) {
   return out;
 }
 
+/// A mesh is read by the ending of its name, so that another one would lie.
+bool may_be_obj(const std::string& file) {
+  const std::string ending = lower_case(std::filesystem::path(file).extension().string());
+  return ending.empty() || ending == ".obj";
+}
+
 }  // namespace
 
 ExitCode body_make_command(const BodyMakeOptions& options) {
+  if (!may_be_obj(options.out))
+    return fail(
+        {"export.format", "a mannequin is written as OBJ; give its file the ending .obj", options.out},
+        options.json);
   const Result<mannequin::MannequinSettings> settings = project::mannequin_settings(document_of(options));
   if (!settings) return fail(settings.error(), options.json);
   const Result<mannequin::Mannequin> made = mannequin::make_mannequin(*settings);

@@ -14,6 +14,7 @@
 #include "server/app/console.h"
 #include "server/app/exit_codes_text.h"
 #include "server/app/fabric_verbs.h"
+#include "server/app/file_kinds.h"
 #include "server/app/help_verbs.h"
 #include "server/app/layer_option.h"
 #include "server/app/measure_option.h"
@@ -53,7 +54,8 @@ std::string read_size(const std::string& text, DrapeOptions& options) {
 CLI::App* add_drape(CLI::App& app, Options& options) {
   CLI::App* verb = app.add_subcommand("drape", "Sew and drape a project; leave models, stills and a report");
   verb->add_option("project", options.drape.project, "Project document (proto/schema/project.schema.json)")
-      ->required();
+      ->required()
+      ->check(not_a_project);
   verb->add_option("-o,--out", options.drape.out, "Folder for the results; made when it is not there")
       ->required();
   verb->add_flag("--check-data", options.drape.check_data,
@@ -90,7 +92,7 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
 CLI::App* add_check(CLI::App& app, Options& options) {
   CLI::App* verb =
       app.add_subcommand("check", "Read a project and say what it holds, or what is wrong with it");
-  verb->add_option("project", options.check.project, "Project document")->required();
+  verb->add_option("project", options.check.project, "Project document")->required()->check(not_a_project);
   verb->add_flag("--json", options.check.json, "Print as JSON");
   verb->footer(
       std::string(
@@ -143,7 +145,8 @@ CLI::App* add_sample(CLI::App& app, Options& options) {
   CLI::App* verb = app.add_subcommand("sample", "Draft a garment to measure; without a name list them");
   verb->add_option("name", sample.name, "Which one");
   verb->add_option("-o,--out", sample.out, "Folder for its DXF file and project.json; made when not there");
-  CLI::Option* body = verb->add_option("--body", sample.body, "Mesh of the person it is drafted for");
+  CLI::Option* body =
+      verb->add_option("--body", sample.body, "Mesh of the person it is drafted for")->check(not_a_body);
   verb->add_option("--preset", sample.preset, "Size of a mannequin instead, see body presets")
       ->excludes(body);
   verb->add_option("--sex", sample.sex, "The mannequin's figure")
@@ -181,8 +184,10 @@ CLI::App* add_body_measure(CLI::App& body, BodyMeasureOptions& measure) {
 
 CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
   CLI::App* verb = project.add_subcommand("new", "Make a project of a pattern and a body");
-  verb->add_option("--pattern", options.pattern, "DXF file, or GarmentCode specification (JSON)")->required();
-  verb->add_option("--body", options.body, "Mesh of the body")->required();
+  verb->add_option("--pattern", options.pattern, "DXF file, or GarmentCode specification (JSON)")
+      ->required()
+      ->check(not_a_pattern);
+  verb->add_option("--body", options.body, "Mesh of the body")->required()->check(not_a_body);
   verb->add_option("-o,--out", options.out, "Project document to write; the files that it names go beside it")
       ->required();
   verb->add_option(
@@ -205,7 +210,9 @@ CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
 
 CLI::App* add_project_arrange(CLI::App& project, ProjectArrangeOptions& options) {
   CLI::App* verb = project.add_subcommand("arrange", "Place a project's pieces around its body");
-  verb->add_option("project", options.project, "Project document with seams and a standing body")->required();
+  verb->add_option("project", options.project, "Project document with seams and a standing body")
+      ->required()
+      ->check(not_a_project);
   verb->add_option("-o,--out", options.out,
                    "Document to write; beside the files that it names (default: the same)");
   verb->add_option("--as", options.as,

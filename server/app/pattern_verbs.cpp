@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "server/app/exit_codes_text.h"
+#include "server/app/file_kinds.h"
 #include "server/app/layer_option.h"
 
 namespace toile::app {
@@ -12,7 +13,8 @@ CLI::App* add_pattern_import(CLI::App& pattern, PatternImportOptions& import) {
   CLI::App* verb =
       pattern.add_subcommand("import", "Read a DXF file; say what it holds and what became of it");
   verb->add_option("file", import.file, "DXF file: AAMA, ASTM or plain, text or binary, R10 or later")
-      ->required();
+      ->required()
+      ->check(not_a_pattern);
   verb->add_option("--size", import.size, "Size to take of a graded file (default: its sample size)");
   verb->add_option("--unit", import.unit, "Unit of the drawing (default: decided by what the file says)")
       ->check(CLI::IsMember({"mm", "cm", "inch"}));
@@ -32,7 +34,9 @@ CLI::App* add_pattern_import(CLI::App& pattern, PatternImportOptions& import) {
 CLI::App* add_pattern_layers(CLI::App& pattern, PatternLayersOptions& layers) {
   CLI::App* verb = pattern.add_subcommand(
       "layers", "Say which layers a DXF file has, what stands on them and what they are read as");
-  verb->add_option("file", layers.file, "DXF file, also one in which no piece is found")->required();
+  verb->add_option("file", layers.file, "DXF file, also one in which no piece is found")
+      ->required()
+      ->check(not_a_pattern);
   add_layer_option(*verb, layers.layers);
   verb->add_flag("--json", layers.json, "Print as JSON");
   verb->footer(std::string("Layers are read by the numbers of AAMA and ASTM, or by names such as CUT; where "
@@ -47,7 +51,7 @@ CLI::App* add_pattern_layers(CLI::App& pattern, PatternLayersOptions& layers) {
 
 CLI::App* add_pattern_export(CLI::App& pattern, PatternExportOptions& exporting) {
   CLI::App* verb = pattern.add_subcommand("export", "Write a project's pieces as DXF, or to print at 1:1");
-  verb->add_option("project", exporting.project, "Project document")->required();
+  verb->add_option("project", exporting.project, "Project document")->required()->check(not_a_project);
   verb->add_option("-o,--out", exporting.out,
                    "File to write: .dxf (AAMA's layers), .svg (one sheet) or .pdf (pages)")
       ->required();

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -11,7 +13,9 @@
 #include "core/base/aabb.h"
 #include "core/base/text.h"
 #include "core/base/write_file.h"
+#include "core/body/measure/stance.h"
 #include "core/json/tree.h"
+#include "core/project/bodies.h"
 #include "core/project/create/create.h"
 #include "core/project/resolve/resolve.h"
 #include "server/app/bring_file.h"
@@ -64,9 +68,44 @@ void print_text(const create::NewProject& made, const ProjectNewOptions& options
   for (const std::string& note : made.notes) std::printf("note: %s\n", note.c_str());
 }
 
+/// A person's stance in the file, if it is one, and the box around it in the project.
+struct FoundBody {
+  std::optional<measure::BodyStance> stance;
+  Aabb3 box;  // m
+
+  bool turned() const { return stance && !project::turned_words(*stance).empty(); }
+};
+
+/// A person is set upright and looks to the front, as on the page, whatever its file has: pieces are arranged
+/// and judged so. Who does so already stays where the file has it, since a specification tells its places
+/// around that, and what is no person stays as well.
+Result<FoundBody> find_body(const std::string& file) {
+  mesh_import::RepairedMesh read = TRY(own_mesh_importer().file(file, {.unit_in_m = 1}));
+  const Result<measure::StandingBody> standing = measure::stand_body(std::move(read.mesh));
+  if (!standing) {
+    read = TRY(own_mesh_importer().file(file, {}));
+    return FoundBody{{}, bounding_box(read.mesh.vertices)};
+  }
+  FoundBody found{standing->stance, bounding_box(standing->mesh.vertices)};
+  if (found.turned()) return found;
+  found.box.low.y += found.stance->floor;
+  found.box.high.y += found.stance->floor;
+  return found;
+}
+
+/// The document's body as it was found.
+void place_body(const FoundBody& found, create::NewProject& made) {
+  if (!found.stance) return;
+  project::ProjectBody& body = made.project.bodies.front();
+  project::stand_up(body, *found.stance);
+  if (!found.turned()) return;
+  body.translation.y = -std::round(found.stance->floor * 1e6) / 1e6 + 0.0;
+  made.notes.push_back("the body was turned: " + project::turned_words(*found.stance));
+}
+
 Result<create::NewProject> make(const ProjectNewOptions& options) {
   const std::string text = TRY(pattern_bytes(options.pattern));
-  const mesh_import::RepairedMesh read = TRY(own_mesh_importer().file(options.body, {}));
+  const FoundBody body = TRY(find_body(options.body));
   create::NewProjectSettings settings;
   settings.dxf.layers = TRY(read_layers(options.layers));
   if (!options.layers.empty() && create::is_specification(text))
@@ -74,10 +113,13 @@ Result<create::NewProject> make(const ProjectNewOptions& options) {
   settings.name = fs::path(options.pattern).stem().string();
   settings.pattern_file = fs::path(options.pattern).filename().string();
   settings.body_file = fs::path(options.body).filename().string();
-  settings.body = bounding_box(read.mesh.vertices);
+  settings.body = body.box;
   if (options.accept_seams >= 0) settings.accept_seams = options.accept_seams;
   Result<create::NewProject> made = create::new_project(text, settings);
-  if (made) return made;
+  if (made) {
+    place_body(body, *made);
+    return made;
+  }
   Error error = with_way_out(made.error(), text, options.pattern);
   error.where = options.pattern + (error.where.empty() ? "" : ": " + error.where);
   return error;

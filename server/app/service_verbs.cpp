@@ -4,6 +4,7 @@
 #include <string>
 
 #include "server/app/exit_codes_text.h"
+#include "server/app/file_kinds.h"
 
 namespace toile::app {
 namespace {
@@ -109,7 +110,8 @@ void add_remote(CLI::App& verb, RemoteOptions& remote) {
 CLI::App* add_submit(CLI::App& app, SubmitOptions& submit) {
   CLI::App* verb = app.add_subcommand("submit", "Have a project draped by a server");
   CLI::Option* project =
-      verb->add_option("project", submit.project, "Project document; the files that it names lie beside it");
+      verb->add_option("project", submit.project, "Project document; the files that it names lie beside it")
+          ->check(not_a_project);
   CLI::Option* job =
       verb->add_option("--job", submit.job, "Id of a drape that was submitted before, in place of a project");
   job->excludes(project);
@@ -140,7 +142,8 @@ CLI::App* add_submit(CLI::App& app, SubmitOptions& submit) {
 CLI::App* add_sweep(CLI::App& app, SweepOptions& sweep) {
   CLI::App* verb = app.add_subcommand("sweep", "Drape a project on several bodies and of several fabrics");
   CLI::Option* project =
-      verb->add_option("project", sweep.project, "Project document; the files that it names lie beside it");
+      verb->add_option("project", sweep.project, "Project document; the files that it names lie beside it")
+          ->check(not_a_project);
   verb->add_option(
       "--body", sweep.bodies,
       "A row: a preset with measures over it (eu40,waist=80), measures (bust=92,waist=74), a mesh\n"

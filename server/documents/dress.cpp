@@ -32,16 +32,6 @@ json::JsonValue document_part(const json::JsonValue& wish, const std::string& id
 
 double lowest(const geometry::TriangleMesh& mesh) { return bounding_box(mesh.vertices).low.y; }
 
-/// The body of a document that stands as stand_body() put it. It turns about the upright axis last, and a
-/// document about z last; after half a turn about z the one is the other, backwards.
-void stand_up(project::ProjectBody& body, const measure::BodyStance& stance) {
-  body.unit = stance.unit_in_m == 1e-2 ? "cm" : stance.unit_in_m == 1e-3 ? "mm" : "m";
-  if (stance.unit_in_m == 0.1) body.scale = 0.1;
-  body.up = std::string(1, stance.up);
-  const double turn = 90.0 * stance.quarter_turns;
-  body.rotation = stance.upside_down ? Vec3{0, -turn, 180} : Vec3{0, turn, 0};
-}
-
 /// A name under which no other file of the project goes.
 std::string free_name(const ProjectFileMap& files, const store::AssetRow& asset) {
   const auto taken = files.find(asset.name);
@@ -55,7 +45,7 @@ Status place_file(Documents& documents, const store::RequestContext& context, co
   const auto raw = TRY(documents.bodies().mesh(documents.store(), context, asset.id, {.unit_in_m = 1}));
   const std::string unit = body.unit, up = body.up;
   const Result<measure::StandingBody> standing = measure::stand_body(raw->mesh);
-  if (standing) stand_up(body, standing->stance);
+  if (standing) project::stand_up(body, standing->stance);
   if (!unit.empty()) {
     body.unit = unit;
     body.scale = 1;

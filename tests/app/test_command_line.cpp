@@ -54,6 +54,25 @@ TEST(CommandLine, RefusesWrongArguments) {
   }
 }
 
+TEST(CommandLine, NamesTheOptionThatIsMeant) {
+  const Ran drape = run_toile({"drape", "p.json", "--otu", "x"});
+  EXPECT_EQ(drape.code, 2);
+  EXPECT_TRUE(has(drape.err, "there is no option \"--otu\"; did you mean \"--out\"?")) << drape.err;
+  const Ran layer = run_toile({"pattern", "import", "a.dxf", "--lyer=3=sew"});
+  EXPECT_TRUE(has(layer.err, "there is no option \"--lyer\"; did you mean \"--layer\"?")) << layer.err;
+  const Ran far = run_toile({"check", "p.json", "--colour"});
+  EXPECT_TRUE(has(far.err, "there is no option \"--colour\"; see toile check --help")) << far.err;
+}
+
+TEST(CommandLine, WritesMannequinsAsObjAlone) {
+  const fs::path folder = fresh_folder("toile_body_format");
+  const Ran run = run_toile({"body", "make", "--out", folder / "body.stl"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(has(run.err, "export.format: a mannequin is written as OBJ")) << run.err;
+  EXPECT_TRUE(fs::is_empty(folder));
+  fs::remove_all(folder);
+}
+
 TEST(CommandLine, CheckSaysWhatAProjectHolds) {
   const fs::path folder = napkin_folder("toile_check");
   const Ran run = run_toile({"check", folder / "project.json"});

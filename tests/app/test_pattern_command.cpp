@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/base/types.h"
 #include "core/json/tree.h"
 #include "core/project/project.h"
 #include "tests/app/napkin.h"
@@ -272,6 +275,51 @@ TEST(ProjectCommand, NewArrangesADrawingThatItSews) {
   fs::remove_all(folder);
 }
 
+/// The sample's body, every vertex turned by `turn`.
+std::string turned_body(const std::function<Vec3(Vec3)>& turn) {
+  std::istringstream in(text_of(fs::path(TOILE_SOURCE_DIR) / "samples/skirt/body.obj"));
+  std::ostringstream out;
+  for (std::string line; std::getline(in, line);) {
+    Vec3 p;
+    if (std::sscanf(line.c_str(), "v %lf %lf %lf", &p.x, &p.y, &p.z) == 3) {
+      p = turn(p);
+      out << "v " << p.x << " " << p.y << " " << p.z << "\n";
+    } else {
+      out << line << "\n";
+    }
+  }
+  return out.str();
+}
+
+TEST(ProjectCommand, NewSetsTheBodyUprightAndToTheFront) {
+  const fs::path folder = fresh_folder("toile_project_turned");
+  const fs::path sample = fs::path(TOILE_SOURCE_DIR) / "samples/skirt";
+  const auto told = [&](const std::string& name, const std::function<Vec3(Vec3)>& turn) {
+    write_text(folder / (name + ".obj"), turned_body(turn));
+    const Ran run = run_toile({"project", "new", "--pattern", sample / "skirt.dxf", "--body",
+                               folder / (name + ".obj"), "--out", folder / "made" / (name + ".json")});
+    EXPECT_EQ(run.code, 0) << run.err;
+    return std::pair{run.out, project::parse_project(text_of(folder / "made" / (name + ".json"))).value()};
+  };
+  const auto [plain_out, plain] = told("plain", [](Vec3 p) { return p; });
+  const auto [back_out, back] = told("back", [](Vec3 p) { return Vec3{-p.x, p.y, -p.z}; });
+  const auto [lying_out, lying] = told("lying", [](Vec3 p) { return Vec3{p.x, -p.z, p.y - 0.5} * 100; });
+  EXPECT_FALSE(has(plain_out, "was turned")) << plain_out;
+  EXPECT_EQ(plain.bodies[0].rotation, Vec3{});
+  EXPECT_TRUE(has(back_out, "note: the body was turned: it looked to the back")) << back_out;
+  EXPECT_EQ(back.bodies[0].rotation, (Vec3{0, 180, 0}));
+  EXPECT_TRUE(has(lying_out, "z is up in its file")) << lying_out;
+  EXPECT_EQ(lying.bodies[0].up, "z");
+  EXPECT_EQ(lying.bodies[0].unit, "cm");
+  EXPECT_NEAR(lying.bodies[0].translation.y, 0.5, 1e-3) << "its feet are on the floor";
+  for (const project::Project* other : {&back, &lying}) {
+    ASSERT_EQ(other->pieces.size(), plain.pieces.size());
+    EXPECT_NEAR(other->pieces[0].placement.rigid->translation.z,
+                plain.pieces[0].placement.rigid->translation.z, 1e-3);
+  }
+  fs::remove_all(folder);
+}
+
 TEST(ProjectCommand, NewTakesProposalsOfADrawingWhenAsked) {
   const fs::path folder = napkin_folder("toile_project_dxf");
   write_text(folder / "graded.dxf", kGraded);
@@ -289,6 +337,28 @@ TEST(ProjectCommand, NewTakesProposalsOfADrawingWhenAsked) {
             2);
   EXPECT_EQ(run_toile({"project", "new", "--pattern", "a.dxf"}).code, 2);
   fs::remove_all(folder);
+}
+
+/// What is said of a file that stands where another is wanted, once it is refused as wrong arguments.
+std::string refusal_of(const std::vector<std::string>& words) {
+  const Ran run = run_toile(words);
+  EXPECT_EQ(run.code, 2) << run.out;
+  EXPECT_TRUE(run.err.starts_with("toile: usage.arguments: ")) << run.err;
+  return run.err;
+}
+
+TEST(ProjectCommand, SaysWhichFileIsWantedInPlaceOfAnother) {
+  for (const char* verb : {"drape", "check", "submit", "sweep"})
+    EXPECT_TRUE(has(refusal_of({verb, "shirt.dxf"}), "this takes a project; toile project new")) << verb;
+  EXPECT_TRUE(has(refusal_of({"drape", "body.obj"}), "is a mesh"));
+  EXPECT_TRUE(has(refusal_of({"drape", "shirt.pdf"}), "is a picture"));
+  const auto made_of = [](const std::string& pattern, const std::string& body) {
+    return refusal_of({"project", "new", "--pattern", pattern, "--body", body, "--out", "p.json"});
+  };
+  EXPECT_TRUE(has(made_of("shirt.svg", "body.obj"), "patterns are read from DXF"));
+  EXPECT_TRUE(has(made_of("body.obj", "shirt.dxf"), "--pattern: \"body.obj\" is a mesh"));
+  EXPECT_TRUE(has(made_of("shirt.dxf", "other.dxf"), "--body: \"other.dxf\" is a pattern"));
+  EXPECT_TRUE(has(made_of("shirt.dxf", "eu38"), "toile body make --preset eu38 --out eu38.obj"));
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ Result<StandingBody> stand_body(geometry::TriangleMesh mesh) {
     out.stance.quarter_turns = 1;
     turn(m, [](Vec3 p) { return Vec3{p.z, p.y, -p.x}; });
   }
-  const double floor = bounding_box(m.vertices).low.y;
-  turn(m, [&](Vec3 p) { return Vec3{p.x, p.y - floor, p.z}; });
+  out.stance.floor = bounding_box(m.vertices).low.y;
+  turn(m, [&](Vec3 p) { return Vec3{p.x, p.y - out.stance.floor, p.z}; });
   if (faces_back(m, stature)) {
     out.stance.quarter_turns += 2;
     turn(m, [](Vec3 p) { return Vec3{-p.x, p.y, -p.z}; });

@@ -13,6 +13,7 @@ struct BodyStance {
   char up = 'y';             ///< axis
   bool upside_down = false;  ///< head below
   int quarter_turns = 0;     ///< about the upright axis, to face +z
+  double floor = 0;          ///< m; height of the soles before they were put on y = 0
 };
 
 struct StandingBody {

@@ -60,6 +60,11 @@ Failure foreign(DxfGroupReader& reader) {
   if (text.starts_with("AC10")) return Error{"dxf.not_dxf", "This is a DWG file." + way_out, line_text(1)};
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return Error{"dxf.not_dxf", "The text is UTF-16; DXF is ASCII or UTF-8." + way_out, line_text(1)};
+  const auto holds = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
+  if (text.starts_with("%PDF"))
+    return Error{"dxf.not_dxf", "This is a PDF, which is not read as a pattern." + way_out, line_text(1)};
+  if (holds("<svg"))
+    return Error{"dxf.not_dxf", "This is an SVG, which is not read as a pattern." + way_out, line_text(1)};
   constexpr int kMostZeros = 4;  // a text with a few is a damaged one
   if (std::count(text.begin(), text.end(), '\0') > kMostZeros || text.starts_with("\x89PNG"))
     return Error{"dxf.not_dxf", "This is a binary file of another kind." + way_out, line_text(1)};

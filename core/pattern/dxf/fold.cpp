@@ -8,6 +8,7 @@ namespace {
 constexpr double kShortestFold = 5;       // mm
 constexpr double kBothSides = 2;          // mm beyond the axis
 constexpr double kBothSidesShare = 0.02;  // and of the other side's reach
+constexpr double kEven = 0.9;             // of the other side's reach
 }  // namespace
 
 std::optional<FoldAxis> fold_axis(const std::vector<Vec2>& line) {
@@ -16,13 +17,34 @@ std::optional<FoldAxis> fold_axis(const std::vector<Vec2>& line) {
   return FoldAxis{line.front(), along};
 }
 
-bool spans_fold(const std::vector<Vec2>& points, const FoldAxis& axis) {
+namespace {
+
+/// mm, that the points reach to the left of the axis and to the right.
+struct Reach {
   double left = 0, right = 0;
+  double less() const { return std::min(left, right); }
+  double more() const { return std::max(left, right); }
+};
+
+Reach reach_of(const std::vector<Vec2>& points, const FoldAxis& axis) {
+  Reach reach;
   for (const Vec2 p : points) {
-    left = std::max(left, axis.side(p));
-    right = std::max(right, -axis.side(p));
+    reach.left = std::max(reach.left, axis.side(p));
+    reach.right = std::max(reach.right, -axis.side(p));
   }
-  return std::min(left, right) > std::max(kBothSides, kBothSidesShare * std::max(left, right));
+  return reach;
+}
+
+}  // namespace
+
+bool spans_fold(const std::vector<Vec2>& points, const FoldAxis& axis) {
+  const Reach reach = reach_of(points, axis);
+  return reach.less() > std::max(kBothSides, kBothSidesShare * reach.more());
+}
+
+bool is_even_about(const std::vector<Vec2>& points, const FoldAxis& axis) {
+  const Reach reach = reach_of(points, axis);
+  return reach.less() >= kEven * reach.more();
 }
 
 bool closes_at_fold(const std::vector<Vec2>& points, const FoldAxis& axis) {

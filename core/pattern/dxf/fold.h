@@ -26,6 +26,10 @@ std::optional<FoldAxis> fold_axis(const std::vector<Vec2>& line);
 /// Whether the points lie on both sides: the piece is drawn whole.
 bool spans_fold(const std::vector<Vec2>& points, const FoldAxis& axis);
 
+/// Whether the piece that spans the fold reaches about as far on one side as on the other, as a whole one
+/// does.
+bool is_even_about(const std::vector<Vec2>& points, const FoldAxis& axis);
+
 /// Whether both ends of an open line lie on the axis, so that the fold closes it.
 bool closes_at_fold(const std::vector<Vec2>& points, const FoldAxis& axis);
 

@@ -239,6 +239,15 @@ void add_hole(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
   tell(notes, chain, chain.curved ? DxfFate::kConverted : DxfFate::kKept, "hole", owner.id);
 }
 
+/// Nothing but where it lies says that this closed line is a hole.
+void tell_cut_out(const DxfChain& chain, int piece, DxfNotes& notes) {
+  notes.warn(
+      chain.line,
+      "a closed line within the piece is cut out as a hole; if it is only drawn there, it belongs on a "
+      "layer of lines within pieces, such as 8",
+      piece, chain.points[0]);
+}
+
 }  // namespace
 
 Result<DxfLoops> loops_of(const std::vector<DxfChain>& chains, const DxfRoles& roles, std::size_t most) {
@@ -343,6 +352,7 @@ DxfPieces with_holes(DxfPieces pieces, const std::vector<DxfChain>& chains, cons
       tell(pieces.notes, *loop.chain, DxfFate::kDropped, "a hole outside of any piece");
     } else {
       add_hole(*loop.chain, owner->found, pieces.notes);
+      tell_cut_out(*loop.chain, owner->found.id, pieces.notes);
     }
   }
   for (std::size_t i = 0; i < chains.size(); ++i) {

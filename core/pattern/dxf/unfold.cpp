@@ -72,6 +72,12 @@ bool unfold_piece(DxfPiece& piece, const FoldAxis& axis) {
 void unfold_about(const DxfChain& line, const FoldAxis& axis, DxfFound& owner, DxfNotes& notes) {
   if (spans_fold(owner.piece.outline, axis)) {
     tell(notes, line, DxfFate::kDropped, "mirror line of a piece that is drawn whole", owner.id);
+    if (!is_even_about(owner.piece.outline, axis))
+      notes.warn(
+          line.line,
+          "the mirror line runs through the piece, and not through its middle: the piece is taken as it "
+          "is drawn, not unfolded",
+          owner.id, axis.at);
   } else if (unfold_piece(owner.piece, axis)) {
     tell(notes, line, DxfFate::kConverted, "the piece is unfolded about it", owner.id);
   } else {

@@ -10,6 +10,7 @@
 #include "core/dressing/put_on.h"
 #include "tests/core/arrange/garments.h"
 #include "tests/core/drape/heap.h"
+#include "tests/core/drape/runs.h"
 
 namespace toile {
 namespace {
@@ -64,6 +65,17 @@ TEST(DrapeStart, ACancelledOneIsNotPutOn) {
   const std::atomic<bool> cancel{true};
   drape::dress_start(input, start, {{}, &cancel});
   EXPECT_FALSE(start.dressed.has_value());
+}
+
+TEST(DrapeStart, TellsOfABodyThatLooksToTheBack) {
+  drape::DrapeInput input = test::heap_of(test::skirt());
+  const auto is_told = [&] {
+    const preflight::Findings findings = drape::prepare_start(input, {}).value().findings;
+    return told(findings, preflight::FindingKind::kBodyTurned) != nullptr;
+  };
+  EXPECT_FALSE(is_told());
+  for (Vec3& p : input.bodies[0].mesh.vertices) p = {-p.x, p.y, -p.z};
+  EXPECT_TRUE(is_told());
 }
 
 }  // namespace

@@ -117,7 +117,9 @@ function notWorn(report: Report): Outcome | null {
   const text = sentence([...new Set(off.map(toldOf))].join('; '));
   const detail = off.map(({ code, message }) => told(code, message).detail).join('; ');
   const [seams, pieces] = [idsOf(off, 'seam'), idsOf(off, 'piece')];
-  return { tone: 'warn', title: t.outcome.notWorn, text, detail, seams, pieces, fixes: [{ kind: 'arrange' }], code: 'worn' };
+  const unsewn = off.some(({ code }) => code === 'worn.unsewn');
+  const fixes: Fix[] = [{ kind: unsewn ? 'sew' : 'arrange' }];
+  return { tone: 'warn', title: t.outcome.notWorn, text, detail, seams, pieces, fixes, code: 'worn' };
 }
 
 /** A seam may be missing there; the design may want it as well. */

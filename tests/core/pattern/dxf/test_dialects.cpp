@@ -192,6 +192,15 @@ TEST(DxfFold, AMirrorLineAwayFromTheOutlineIsWarnedOf) {
   EXPECT_TRUE(told(d, "does not run along the outline"));
 }
 
+TEST(DxfFold, AMirrorLineBesideTheMiddleIsWarnedOf) {
+  const auto with_line_at = [](double x) {
+    const std::string yoke = rectangle({-200, 0}, 400, 150, "1") + line({x, 0}, {x, 150}, "6");
+    return read_trial(blocks_and_inserts({{"YOKE", yoke}}));
+  };
+  EXPECT_TRUE(told(with_line_at(-180), "runs through the piece, and not through its middle"));
+  EXPECT_FALSE(told(with_line_at(0), "not through its middle"));
+}
+
 TEST(DxfFold, ASewLineMayBeOpenAtTheFold) {
   const std::string sew = polyline({{0, 10}, {240, 10}, {220, 395}, {97, 586}, {0, 508}}, "14", 0);
   const dxf::DxfDrawing d =

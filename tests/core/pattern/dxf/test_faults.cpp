@@ -36,6 +36,8 @@ TEST(DxfFaults, FilesThatAreNoDxfAreToldApart) {
   EXPECT_EQ(error_of("1\n2\n3\n4\n").code, "dxf.not_dxf");
   EXPECT_EQ(error_of("AC1027......").code, "dxf.not_dxf");
   EXPECT_EQ(error_of("<svg xmlns='x'/>").where, "line 1");
+  EXPECT_NE(error_of("<?xml version='1.0'?>\n<svg xmlns='x'/>").message.find("an SVG"), std::string::npos);
+  EXPECT_NE(error_of("%PDF-1.7\n").message.find("a PDF"), std::string::npos);
   EXPECT_EQ(error_of(groups({{0, "EOF"}})).code, "dxf.no_outline");
 }
 

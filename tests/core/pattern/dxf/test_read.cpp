@@ -175,6 +175,7 @@ TEST(DxfRead, LoopsWithinALoopOfTheSameLayerAreHoles) {
                     rectangle({70, 70}, 5, 5) + rectangle({40, 40}, 10, 10, "marks")));
   ASSERT_EQ(d.pieces.size(), 2u);
   EXPECT_EQ(d.pieces[0].holes.size(), 2u);
+  EXPECT_TRUE(noted(d, "cut out as a hole"));
   EXPECT_EQ(d.pieces[1].outline[0], (Vec2{70, 70})) << "a piece cut from the waste of a hole";
   EXPECT_TRUE(noted(d, "within a piece of another layer"));
   const auto panel = dxf::panel_from_piece(d.pieces[0]);

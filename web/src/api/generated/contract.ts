@@ -2603,7 +2603,7 @@ export interface components {
             settled: boolean;
             stop_reason: string;
             /**
-             * @description Null where nobody stands there
+             * @description Null where nobody stands there and where cloth without seams stays on the body
              * @enum {unknown}
              */
             worn: "yes" | "partly" | "no" | null;

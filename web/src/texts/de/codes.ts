@@ -26,6 +26,7 @@ export const codes: Codes = {
   'body.not_a_body': 'Das Netz ist kein Körper',
   'body.not_standing': 'Der Körper ist keine stehende Person',
   'body.stopped': 'Der Körper blieb auf seinem Weg stehen: Der Stoff konnte nicht mehr nachgeben',
+  'body.turned': 'Der Körper schaut nach hinten',
   'body.unknown_line': 'Diese Linie hat der Körper nicht',
   'body.waited': 'Der Körper wartete auf Stoff, der ihm im Weg war',
   'button.off_piece': 'Ein Knopf liegt neben seinem Schnittteil',
@@ -387,6 +388,7 @@ export const codes: Codes = {
   'server.port': 'Der Port ist belegt',
   'server.tls': 'Die sichere Verbindung lässt sich nicht anbieten',
   'server.too_much_at_once': 'Es wurde zu viel auf einmal gefragt; versuchen Sie es gleich noch einmal',
+  'start.below_floor': 'Stoff beginnt unter den Füßen',
   'start.begun_anew': 'Die Drapierung wurde neu begonnen',
   'start.crosses_body': 'Ein Schnittteil beginnt im Körper',
   'start.crosses_cloth': 'Zwei Schnittteile beginnen ineinander',
@@ -442,4 +444,5 @@ export const codes: Codes = {
   'worn.ring_off': 'Eine Öffnung geht nicht um ihren Körperteil',
   'worn.slipped': 'Das Kleidungsstück ist heruntergerutscht',
   'worn.slit': 'Zwischen Kanten, die nichts schließt, bleibt eine Öffnung',
+  'worn.unsewn': 'Keine Naht verbindet die Teile, und sie kamen herunter',
 };

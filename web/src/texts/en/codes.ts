@@ -24,6 +24,7 @@ export const codes = {
   'body.not_a_body': 'The mesh is no body',
   'body.not_standing': 'The body is no standing person',
   'body.stopped': 'The body stopped on its way: the cloth could not give way any more',
+  'body.turned': 'The body looks to the back',
   'body.unknown_line': 'The body has no such line',
   'body.waited': 'The body waited for cloth that was in its way',
   'button.off_piece': 'A button lies beside its piece',
@@ -385,6 +386,7 @@ export const codes = {
   'server.port': 'The port is taken',
   'server.tls': 'The secure connection cannot be offered',
   'server.too_much_at_once': 'Too much was asked at once; try again in a moment',
+  'start.below_floor': 'Cloth begins below the feet',
   'start.begun_anew': 'The drape was begun anew',
   'start.crosses_body': 'A piece begins within the body',
   'start.crosses_cloth': 'Two pieces begin within each other',
@@ -440,6 +442,7 @@ export const codes = {
   'worn.ring_off': 'An opening does not go around its limb',
   'worn.slipped': 'The garment slipped down',
   'worn.slit': 'An opening is left between edges that nothing closes',
+  'worn.unsewn': 'No seam joins the pieces, and they came down',
 };
 
 export type Codes = typeof codes;
