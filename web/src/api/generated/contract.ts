@@ -4224,7 +4224,7 @@ export interface components {
                 gap_mm: number;
             }[];
             /**
-             * @description Whether the body wears the garment: every ring around the limb that it is for, and nothing fallen. partly: but for a seam that is open. Absent where nobody stands there.
+             * @description Whether the body wears the garment: every ring around the limb that it is for, and nothing fallen. partly: but for a seam that is open. Absent where nobody stands there, and where cloth without seams stays on the body.
              * @enum {string}
              */
             worn?: "yes" | "partly" | "no";
