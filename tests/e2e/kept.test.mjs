@@ -63,6 +63,7 @@ describe('an ended drape', () => {
 describe('an import on a phone', () => {
   it('has all its pages within reach', async () => {
     const phone = await openPage(stage.browser, service.url, kPhone);
+    await phone.getByText('Drop a DXF pattern here').waitFor();  // from then on the page takes what is dropped
     await phone.evaluate(
       (text) => {
         const dataTransfer = new DataTransfer();
