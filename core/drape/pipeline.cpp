@@ -4,11 +4,11 @@
 #include <iterator>
 #include <limits>
 
-#include "core/base/aabb.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
 #include "core/drape/drape_session.h"
 #include "core/drape/fit_start.h"
+#include "core/drape/ground_level.h"
 #include "core/drape/input_hash.h"
 #include "core/drape/left_open.h"
 #include "core/drape/paper_session.h"
@@ -60,31 +60,8 @@ std::vector<double> tops_where_begun(const sewing::Assembly& placed, std::span<c
   return tops;
 }
 
-constexpr double kOffGround = 1.5e-3;  // m, that cloth starts above the ground at least
 constexpr double kWorthTelling = 0.1;  // s, that bodies waited
 constexpr std::size_t kMostId = 200;   // bytes of a seam's id within a sentence
-
-/// Height of the ground: the floor that the person stands on, or just under the cloth where that starts
-/// lower, since ground lets nothing through and cloth without any would fall for ever. What was put on is
-/// above the floor.
-std::optional<double> ground_under(const DrapeInput& input, const DrapeStart& start, bool on_body) {
-  if (!input.settings.ground || !start.person) return std::nullopt;
-  const double floor = start.person->figure.floor;
-  if (on_body) return floor;
-  return std::min(floor, bounding_box(start.assembly.positions).low.y - kOffGround);
-}
-
-void tell_low_ground(const DrapeStart& start, std::optional<double> ground, preflight::Findings& findings) {
-  constexpr double kLow = 0.01;  // m below the floor that nobody sees
-  if (!ground || start.person->figure.floor - *ground < kLow) return;
-  const std::vector<Vec3>& x = start.assembly.positions;
-  const auto lowest = std::min_element(x.begin(), x.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
-  findings.push_back(preflight::found(
-      preflight::FindingKind::kBelowFloor,
-      "cloth begins " + preflight::length_text(start.person->figure.floor - lowest->y) +
-          " below the soles of the feet, and the ground lies there; place it higher to have it on the floor",
-      {}, *lowest));
-}
 
 /// Those of the input, as they stand now.
 std::vector<body::Body> bodies_now(const DrapeInput& input, const Session& session) {

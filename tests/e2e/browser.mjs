@@ -130,3 +130,15 @@ export async function waitForStandstill(page) {
     return window.__stand.looks >= 20;
   });
 }
+
+/** Drops a file of this name and text on the page, as from a folder. */
+export const dropFile = (page, name, text) =>
+  page.evaluate(
+    ([file, content]) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([content], file));
+      for (const type of ['dragenter', 'dragover', 'drop'])
+        window.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+    },
+    [name, text],
+  );

@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe } from 'node:test';
-import { ask, openPage, shoot, waitFor, waitForCalm } from './browser.mjs';
+import { ask, dropFile, openPage, shoot, waitFor, waitForCalm } from './browser.mjs';
 import { Service, root } from './service.mjs';
 import { openNewest, setStage } from './stage.mjs';
 import { colourAtMiddle } from './pictures.mjs';
@@ -64,15 +64,7 @@ describe('an import on a phone', () => {
   it('has all its pages within reach', async () => {
     const phone = await openPage(stage.browser, service.url, kPhone);
     await phone.getByText('Drop a DXF pattern here').waitFor();  // from then on the page takes what is dropped
-    await phone.evaluate(
-      (text) => {
-        const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(new File([text], 'skirt.dxf'));
-        for (const type of ['dragenter', 'dragover', 'drop'])
-          window.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
-      },
-      readFileSync(join(sample, 'skirt.dxf'), 'utf8'),
-    );
+    await dropFile(phone, 'skirt.dxf', readFileSync(join(sample, 'skirt.dxf'), 'utf8'));
     const tabs = phone.locator('.import .tabs button');
     await tabs.first().waitFor();
     assert.equal(await tabs.count(), 4);

@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe } from 'node:test';
-import { ask, openPage, shoot, waitFor, waitForState } from './browser.mjs';
+import { ask, dropFile, openPage, shoot, waitFor, waitForState } from './browser.mjs';
 import { root, Service } from './service.mjs';
 import { setStage } from './stage.mjs';
 
@@ -35,15 +35,7 @@ const shapes = async (asset, layers) => {
 describe('a pattern of other layers', () => {
   it('says why nothing can be made of it, and which layers it has', async () => {
     assert.notEqual(swapped, skirt);
-    await page.evaluate(
-      ([file, text]) => {
-        const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(new File([text], file));
-        for (const type of ['dragenter', 'dragover', 'drop'])
-          window.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
-      },
-      ['odd.dxf', swapped],
-    );
+    await dropFile(page, 'odd.dxf', swapped);
     await page.locator('.import-unread .problem .code').getByText(/^dxf\.\w+_outline/).waitFor();
     await page.locator('.import-unread').getByText('Perhaps the outlines stand on another layer').waitFor();
     await layer('7').waitFor();

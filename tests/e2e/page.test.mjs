@@ -8,6 +8,7 @@ import { before, describe } from 'node:test';
 import {
   ask,
   closeAfter,
+  dropFile,
   openBrowser,
   openPage,
   shoot,
@@ -426,15 +427,7 @@ describe('the page', () => {
 
   it('reads a DXF that comes alone: pieces, unit, seams, and what became of every entity', async () => {
     await page.locator('.rail .row').first().waitFor();
-    await page.evaluate(
-      (text) => {
-        const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(new File([text], 'skirt.dxf'));
-        for (const type of ['dragenter', 'dragover', 'drop'])
-          window.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
-      },
-      readFileSync(sample('skirt.dxf'), 'utf8'),
-    );
+    await dropFile(page, 'skirt.dxf', readFileSync(sample('skirt.dxf'), 'utf8'));
     await page.locator('.import-preview [data-piece=front]').waitFor();
     assert.equal(await page.locator('.import-preview .piece').count(), 4);
     await page.locator('.import-pieces').getByText('780 × 595 mm').first().waitFor();

@@ -7,7 +7,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, describe, it } from 'node:test';
-import { ask, closeAfter, openBrowser, openPage, shoot, shootAll, waitFor, waitForCalm } from './browser.mjs';
+import { ask, closeAfter, dropFile, openBrowser, openPage, shoot, shootAll, waitFor, waitForCalm } from './browser.mjs';
 import { assertValidGlb } from './models.mjs';
 import { root, Service } from './service.mjs';
 import { kPatience, until } from './steps.mjs';
@@ -32,17 +32,6 @@ const service = new Service('');
 let browser;
 
 const jobOf = async (id) => (await service.get(`/jobs/${id}`)).json();
-
-const drop = (page, name, content) =>
-  page.evaluate(
-    ([file, text]) => {
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([text], file));
-      for (const type of ['dragenter', 'dragover', 'drop'])
-        window.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
-    },
-    [name, content],
-  );
 
 const waitForEnd = (page) =>
   page.waitForFunction((wanted) => wanted.includes(window.__toile.job()?.state), kEnds, {
@@ -107,7 +96,7 @@ async function assertPicture(bytes, page) {
 
 async function walk(page, { name, file, worn }) {
   await page.locator('.rail, .start, .welcome').first().waitFor();
-  await drop(page, `${name}.dxf`, readFileSync(file, 'utf8'));
+  await dropFile(page, `${name}.dxf`, readFileSync(file, 'utf8'));
   await page.locator('.import-preview .piece').first().waitFor();
   await page.locator('.intake footer .primary').click();
   await page.locator('.intake').waitFor({ state: 'detached' });
