@@ -69,7 +69,8 @@ endfunction()
 # toile_tests(core/mesh mesh): such a program, each of its tests known to ctest. Suites whose name begins with
 # "Long" get the label long: ./test leaves them out, ./test --long runs them. rapidcheck's properties are tried with
 # the same cases in every run of ctest; a program run by hand takes others, and says with which seed. Tests of the
-# service and the program are labelled short-threads: those that ./test --long runs under ThreadSanitizer.
+# service, the program and the rooms that share a drape out are labelled short-threads: those that ./test --long runs
+# under ThreadSanitizer.
 function(toile_tests FOLDER)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp)
   if(NOT SOURCES)
@@ -78,7 +79,7 @@ function(toile_tests FOLDER)
   string(REPLACE "/" "_" NAME test_${FOLDER})
   toile_test_program(${NAME} ${FOLDER} ${ARGN})
   set(SHORT short)
-  if(FOLDER MATCHES "^(server/|app$)")
+  if(FOLDER MATCHES "^(server/|app$|core/(base|collision|solver)$)")
     set(SHORT short-threads)
   endif()
   gtest_discover_tests(${NAME} TEST_FILTER -Long* DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60

@@ -213,7 +213,7 @@ std::string find_program(const std::string& name) {
   std::string_view folders = set ? set : "/usr/bin:/bin";
   while (!folders.empty()) {
     const std::size_t end = std::min(folders.find(':'), folders.size());
-    const std::string path = std::string(folders.substr(0, end)) + "/" + name;
+    std::string path = std::string(folders.substr(0, end)) + "/" + name;
     if (path.front() == '/' && ::access(path.c_str(), X_OK) == 0) return path;
     folders.remove_prefix(std::min(end + 1, folders.size()));
   }

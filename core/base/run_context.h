@@ -16,6 +16,7 @@ struct Progress {
 struct RunContext {
   std::function<void(const Progress&)> on_progress;  ///< may be empty; called on the working thread
   const std::atomic<bool>* cancel = nullptr;         ///< may be null; set by any thread
+  int threads = 1;                                   ///< that may work on it; no byte depends on how many
 
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
   void progress(std::string_view phase, double fraction) const {

@@ -3,7 +3,28 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/crew.h"
+
 namespace toile::collision {
+
+namespace {
+
+using geometry::BoxGroups;
+
+/// Features that are not worth a part of their own.
+constexpr std::size_t kFewFeatures = 64;
+
+std::vector<std::span<const Index>> in_parts(std::span<const Index> features, std::size_t parts) {
+  const std::size_t count = std::min(parts, features.size() / kFewFeatures + 1);
+  std::vector<std::span<const Index>> split;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t begin = features.size() * k / count, end = features.size() * (k + 1) / count;
+    if (begin < end) split.push_back(features.subspan(begin, end - begin));
+  }
+  return split;
+}
+
+}  // namespace
 
 template <typename Feature>
 ContactFinder::Around ContactFinder::around_vertices(std::span<const Feature> features, Index vertex_count) {
@@ -34,7 +55,8 @@ ContactFinder::ContactFinder(Surface cloth, std::span<const Obstacle> obstacles,
   }
 }
 
-void ContactFinder::detect(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
+void ContactFinder::detect(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out,
+                           Crew& crew) {
   out.clear(positions.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
     out.centre[v] = positions[v];
@@ -42,14 +64,20 @@ void ContactFinder::detect(std::span<const Vec3> positions, std::span<const doub
   }
   lay_all(out);
   touched_.assign(positions.size(), 1);
-  PairMeasure measure(settings_, positions, touched_, out);
-  pair_with_obstacles(measure);
-  pair_with_itself(measure);
-  out.follow(touched_);
+  std::vector<Look> looks;
+  look_at_obstacles(crew.parts(), looks);
+  look_at_itself(crew.parts(), looks);
+  do_all(looks, positions, out, crew);
+  out.follow(touched_, crew);
+}
+
+void ContactFinder::detect(std::span<const Vec3> positions, std::span<const double> speeds, Contacts& out) {
+  Crew alone;
+  detect(positions, speeds, out, alone);
 }
 
 void ContactFinder::detect_again(std::span<const Index> moved, std::span<const Vec3> positions,
-                                 std::span<const double> speeds, Contacts& out) {
+                                 std::span<const double> speeds, Contacts& out, Crew& crew) {
   moved_.assign(positions.size(), 0);
   for (const Index v : moved) {
     moved_[v] = 1;
@@ -59,10 +87,31 @@ void ContactFinder::detect_again(std::span<const Index> moved, std::span<const V
   touched_ = moved_;
   out.forget(moved_, touched_);
   lay_moved(moved, out);
-  PairMeasure measure(settings_, positions, touched_, out);
-  pair_moved_with_obstacles(moved, measure);
-  pair_moved_with_itself(moved, measure);
-  out.follow(touched_);
+  std::vector<Look> looks;
+  look_at_obstacles_from(moved, crew.parts(), looks);
+  look_at_itself_from(moved, crew.parts(), looks);
+  do_all(looks, positions, out, crew);
+  out.follow(touched_, crew);
+}
+
+void ContactFinder::detect_again(std::span<const Index> moved, std::span<const Vec3> positions,
+                                 std::span<const double> speeds, Contacts& out) {
+  Crew alone;
+  detect_again(moved, positions, speeds, out, alone);
+}
+
+/// Side by side; then what they found, in their order.
+void ContactFinder::do_all(const std::vector<Look>& looks, std::span<const Vec3> positions, Contacts& out,
+                           Crew& crew) {
+  if (finds_.size() < looks.size()) finds_.resize(looks.size());
+  crew.each(static_cast<int>(looks.size()), [&](int i) {
+    Find& find = finds_[static_cast<std::size_t>(i)];
+    find.found.clear();
+    find.edge_pairs.clear();
+    PairMeasure measure(settings_, positions, out, find.found);
+    looks[static_cast<std::size_t>(i)](measure, find.edge_pairs);
+  });
+  for (std::size_t i = 0; i < looks.size(); ++i) out.take(finds_[i].found, touched_);
 }
 
 void ContactFinder::resume(const Contacts& contacts) { lay_all(contacts); }
@@ -127,77 +176,123 @@ bool ContactFinder::neighbouring_edges(Index e, Index f) const {
   return (a0 == b0) | (a0 == b1) | (a1 == b0) | (a1 == b1);
 }
 
-void ContactFinder::pair_with_obstacles(PairMeasure& measure) {
+void ContactFinder::look_at_obstacles(std::size_t parts, std::vector<Look>& looks) const {
   for (const Obstacle& obstacle : obstacles_) {
-    boxes_.vertex_groups.pairs(obstacle.boxes.face_groups,
-                               [&](Index v, Index t) { measure.vertex_on_obstacle(obstacle, v, t); });
-    boxes_.face_groups.pairs(obstacle.boxes.vertex_groups, [&](Index t, Index v) {
-      measure.obstacle_vertex_on_cloth(obstacle, v, cloth_.triangles[t]);
-    });
-    edge_pairs_.clear();
-    boxes_.edge_groups.pairs(obstacle.boxes.edge_groups,
-                             [&](Index e, Index f) { edge_pairs_.emplace_back(e, f); });
-    visit_near(edge_pairs_, edge_lines_, obstacle.edge_lines,
-               [&](Index e, Index f) { measure.edge_on_obstacle(obstacle, cloth_.edges[e], f); });
+    const FeatureBoxes& theirs = obstacle.boxes;
+    for (const BoxGroups::Part& part : boxes_.vertex_groups.parts(theirs.face_groups, parts)) {
+      looks.emplace_back([this, &obstacle, part](PairMeasure& measure, std::vector<EdgePair>&) {
+        boxes_.vertex_groups.pairs_in(part, obstacle.boxes.face_groups,
+                                      [&](Index v, Index t) { measure.vertex_on_obstacle(obstacle, v, t); });
+      });
+    }
+    for (const BoxGroups::Part& part : boxes_.face_groups.parts(theirs.vertex_groups, parts)) {
+      looks.emplace_back([this, &obstacle, part](PairMeasure& measure, std::vector<EdgePair>&) {
+        boxes_.face_groups.pairs_in(part, obstacle.boxes.vertex_groups, [&](Index t, Index v) {
+          measure.obstacle_vertex_on_cloth(obstacle, v, cloth_.triangles[t]);
+        });
+      });
+    }
+    for (const BoxGroups::Part& part : boxes_.edge_groups.parts(theirs.edge_groups, parts)) {
+      looks.emplace_back([this, &obstacle, part](PairMeasure& measure, std::vector<EdgePair>& pairs) {
+        boxes_.edge_groups.pairs_in(part, obstacle.boxes.edge_groups,
+                                    [&](Index e, Index f) { pairs.emplace_back(e, f); });
+        measure_edges_on(obstacle, pairs, measure);
+      });
+    }
   }
 }
 
-void ContactFinder::pair_with_itself(PairMeasure& measure) {
-  boxes_.vertex_groups.pairs(boxes_.face_groups, [&](Index v, Index t) {
-    if (!neighbours(v, cloth_.triangles[t])) measure.vertex_on_cloth(v, cloth_.triangles[t]);
-  });
-  edge_pairs_.clear();
-  boxes_.edge_groups.self_pairs([&](Index e, Index f) {
-    if (!neighbouring_edges(e, f)) edge_pairs_.emplace_back(e, f);
-  });
-  measure_edge_pairs(measure);
+void ContactFinder::look_at_itself(std::size_t parts, std::vector<Look>& looks) const {
+  for (const BoxGroups::Part& part : boxes_.vertex_groups.parts(boxes_.face_groups, parts)) {
+    looks.emplace_back([this, part](PairMeasure& measure, std::vector<EdgePair>&) {
+      boxes_.vertex_groups.pairs_in(part, boxes_.face_groups, [&](Index v, Index t) {
+        if (!neighbours(v, cloth_.triangles[t])) measure.vertex_on_cloth(v, cloth_.triangles[t]);
+      });
+    });
+  }
+  for (const BoxGroups::Part& part : boxes_.edge_groups.self_parts(parts)) {
+    looks.emplace_back([this, part](PairMeasure& measure, std::vector<EdgePair>& pairs) {
+      boxes_.edge_groups.self_pairs_in(part, [&](Index e, Index f) {
+        if (!neighbouring_edges(e, f)) pairs.emplace_back(e, f);
+      });
+      measure_edges(pairs, measure);
+    });
+  }
 }
 
-void ContactFinder::pair_moved_with_obstacles(std::span<const Index> moved, PairMeasure& measure) {
+void ContactFinder::look_at_obstacles_from(std::span<const Index> moved, std::size_t parts,
+                                           std::vector<Look>& looks) const {
   for (const Obstacle& obstacle : obstacles_) {
-    for (const Index v : moved) {
-      obstacle.boxes.face_groups.query(boxes_.vertices[v],
-                                       [&](Index t) { measure.vertex_on_obstacle(obstacle, v, t); });
-    }
-    for (const Index t : moved_faces_) {
-      obstacle.boxes.vertex_groups.query(boxes_.faces[t], [&](Index v) {
-        measure.obstacle_vertex_on_cloth(obstacle, v, cloth_.triangles[t]);
+    for (const auto vertices : in_parts(moved, parts)) {
+      looks.emplace_back([this, &obstacle, vertices](PairMeasure& measure, std::vector<EdgePair>&) {
+        for (const Index v : vertices) {
+          obstacle.boxes.face_groups.query(boxes_.vertices[v],
+                                           [&](Index t) { measure.vertex_on_obstacle(obstacle, v, t); });
+        }
       });
     }
-    edge_pairs_.clear();
-    for (const Index e : moved_edges_) {
-      obstacle.boxes.edge_groups.query(boxes_.edges[e], [&](Index f) { edge_pairs_.emplace_back(e, f); });
+    for (const auto faces : in_parts(moved_faces_, parts)) {
+      looks.emplace_back([this, &obstacle, faces](PairMeasure& measure, std::vector<EdgePair>&) {
+        for (const Index t : faces) {
+          obstacle.boxes.vertex_groups.query(boxes_.faces[t], [&](Index v) {
+            measure.obstacle_vertex_on_cloth(obstacle, v, cloth_.triangles[t]);
+          });
+        }
+      });
     }
-    visit_near(edge_pairs_, edge_lines_, obstacle.edge_lines,
-               [&](Index e, Index f) { measure.edge_on_obstacle(obstacle, cloth_.edges[e], f); });
+    for (const auto edges : in_parts(moved_edges_, parts)) {
+      looks.emplace_back([this, &obstacle, edges](PairMeasure& measure, std::vector<EdgePair>& pairs) {
+        for (const Index e : edges)
+          obstacle.boxes.edge_groups.query(boxes_.edges[e], [&](Index f) { pairs.emplace_back(e, f); });
+        measure_edges_on(obstacle, pairs, measure);
+      });
+    }
   }
 }
 
 /// Each pair once: what moved on both sides is found from both.
-void ContactFinder::pair_moved_with_itself(std::span<const Index> moved, PairMeasure& measure) {
-  for (const Index v : moved) {
-    boxes_.face_groups.query(boxes_.vertices[v], [&](Index t) {
-      if (!neighbours(v, cloth_.triangles[t])) measure.vertex_on_cloth(v, cloth_.triangles[t]);
+void ContactFinder::look_at_itself_from(std::span<const Index> moved, std::size_t parts,
+                                        std::vector<Look>& looks) const {
+  for (const auto vertices : in_parts(moved, parts)) {
+    looks.emplace_back([this, vertices](PairMeasure& measure, std::vector<EdgePair>&) {
+      for (const Index v : vertices) {
+        boxes_.face_groups.query(boxes_.vertices[v], [&](Index t) {
+          if (!neighbours(v, cloth_.triangles[t])) measure.vertex_on_cloth(v, cloth_.triangles[t]);
+        });
+      }
     });
   }
-  for (const Index t : moved_faces_) {
-    const Tri& triangle = cloth_.triangles[t];
-    boxes_.vertex_groups.query(boxes_.faces[t], [&](Index v) {
-      if (!moved_[v] && !neighbours(v, triangle)) measure.vertex_on_cloth(v, triangle);
+  for (const auto faces : in_parts(moved_faces_, parts)) {
+    looks.emplace_back([this, faces](PairMeasure& measure, std::vector<EdgePair>&) {
+      for (const Index t : faces) {
+        const Tri& triangle = cloth_.triangles[t];
+        boxes_.vertex_groups.query(boxes_.faces[t], [&](Index v) {
+          if (!moved_[v] && !neighbours(v, triangle)) measure.vertex_on_cloth(v, triangle);
+        });
+      }
     });
   }
-  edge_pairs_.clear();
-  for (const Index e : moved_edges_) {
-    boxes_.edge_groups.query(boxes_.edges[e], [&](Index f) {
-      if ((edge_moved_[f] && f <= e) || neighbouring_edges(e, f)) return;
-      edge_pairs_.emplace_back(e, f);
+  for (const auto edges : in_parts(moved_edges_, parts)) {
+    looks.emplace_back([this, edges](PairMeasure& measure, std::vector<EdgePair>& pairs) {
+      for (const Index e : edges) {
+        boxes_.edge_groups.query(boxes_.edges[e], [&](Index f) {
+          if ((edge_moved_[f] && f <= e) || neighbouring_edges(e, f)) return;
+          pairs.emplace_back(e, f);
+        });
+      }
+      measure_edges(pairs, measure);
     });
   }
-  measure_edge_pairs(measure);
 }
 
-void ContactFinder::measure_edge_pairs(PairMeasure& measure) {
-  visit_near(edge_pairs_, edge_lines_, edge_lines_,
+void ContactFinder::measure_edges_on(const Obstacle& obstacle, std::span<const EdgePair> pairs,
+                                     PairMeasure& measure) const {
+  visit_near(pairs, edge_lines_, obstacle.edge_lines,
+             [&](Index e, Index f) { measure.edge_on_obstacle(obstacle, cloth_.edges[e], f); });
+}
+
+void ContactFinder::measure_edges(std::span<const EdgePair> pairs, PairMeasure& measure) const {
+  visit_near(pairs, edge_lines_, edge_lines_,
              [&](Index e, Index f) { measure.edges_of_cloth(cloth_.edges[e], cloth_.edges[f]); });
 }
 

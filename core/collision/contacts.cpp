@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/crew.h"
+
 namespace toile::collision {
 
 namespace {
@@ -18,6 +20,9 @@ constexpr int kMostTurns = 3;
 
 /// Of a way, what may seem to lead into a plane that it runs along: rounding.
 constexpr double kAlong = 1e-12;
+
+/// Vertices that are not worth a helper.
+constexpr std::size_t kFewVertices = 512;
 
 /// Largest t in [0, 1] with |start + t·way| within the radius; start lies inside.
 double within_ball(Vec3 start, Vec3 way, double radius) {
@@ -36,6 +41,15 @@ double free_squared_of(double trust_radius, std::span<const DivisionPlane> plane
 }
 
 }  // namespace
+
+void FoundPairs::clear() {
+  pairs.clear();
+  bounds.clear();
+  vertex_contacts.clear();
+  rims.clear();
+  least_gap = 1;
+  least_gap_vertex = kNone;
+}
 
 bool Contacts::inside_trust_region(Index v, Vec3 x) const {
   const Vec3 d = x - centre[v];
@@ -136,13 +150,42 @@ void Contacts::drop_gone_pairs() {
   for (RimContact& rim : rims) rim.pair = number[rim.pair];
 }
 
-void Contacts::follow(std::span<const char> touched) {
-  contacts.clear();
-  for (std::size_t v = 0; v < planes.size(); ++v) {
-    if (touched[v]) {
+void Contacts::take(const FoundPairs& found, std::span<char> touched) {
+  const auto first = static_cast<Index>(pairs.size());
+  for (const ListedPair& pair : found.pairs) {
+    pairs.push_back(pair);
+    for (const Index v : pair.v) {
+      if (v != kNone) touched[v] = 1;
+    }
+  }
+  for (const FoundPairs::Bound& bound : found.bounds) {
+    planes[bound.vertex].push_back(bound.plane);
+    planes[bound.vertex].back().pair += first;
+  }
+  for (const VertexContact& near : found.vertex_contacts) {
+    std::vector<VertexContact>& of_vertex = vertex_contacts[near.contact.v[0]];
+    of_vertex.push_back(near);
+    of_vertex.back().pair += first;
+  }
+  for (const RimContact& rim : found.rims) {
+    rims.push_back(rim);
+    rims.back().pair += first;
+  }
+  if (found.least_gap >= least_gap) return;
+  least_gap = found.least_gap;
+  least_gap_vertex = found.least_gap_vertex;
+}
+
+void Contacts::follow(std::span<const char> touched, Crew& crew) {
+  crew.ranges(planes.size(), kFewVertices, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (!touched[v]) continue;
       free_squared[v] = free_squared_of(trust_radius[v], planes[v]);
       hide_behind_nearest(vertex_contacts[v]);
     }
+  });
+  contacts.clear();
+  for (std::size_t v = 0; v < planes.size(); ++v) {
     for (const VertexContact& near : vertex_contacts[v]) {
       if (!near.hidden) contacts.push_back(near.contact);
     }

@@ -13,6 +13,10 @@
 
 #include "core/base/types.h"
 
+namespace toile {
+class Crew;
+}
+
 namespace toile::collision {
 
 /// Gap under which a side may not approach further. More than the rounding of the exact crossing test (1 µm).
@@ -60,6 +64,23 @@ struct RimContact {
   Contact contact;
 };
 
+/// What a look for pairs found, to be put into the lists of Contacts (Contacts::take). Pairs are numbered
+/// from 0 on.
+struct FoundPairs {
+  struct Bound {
+    Index vertex = kNone;
+    DivisionPlane plane;
+  };
+  std::vector<ListedPair> pairs;
+  std::vector<Bound> bounds;
+  std::vector<VertexContact> vertex_contacts;  ///< each of the first vertex of its contact
+  std::vector<RimContact> rims;
+  double least_gap = 1;
+  Index least_gap_vertex = kNone;
+
+  void clear();
+};
+
 /// Valid while every vertex keeps its bounds.
 struct Contacts {
   std::vector<Vec3> centre;          ///< x0
@@ -93,8 +114,10 @@ struct Contacts {
   /// Drops all pairs with a vertex that is marked in `moved` (1 a vertex), and marks in `touched` whose
   /// bounds or contacts change by that.
   void forget(std::span<const char> moved, std::span<char> touched);
+  /// Puts found pairs behind those that are listed, and marks their vertices in `touched`.
+  void take(const FoundPairs& found, std::span<char> touched);
   /// Bounds and contacts that follow from the lists, of the vertices marked in `touched`.
-  void follow(std::span<const char> touched);
+  void follow(std::span<const char> touched, Crew& crew);
 
  private:
   void drop_gone_pairs();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/crew.h"
+
 namespace toile::collision {
 
 namespace {
@@ -135,6 +137,18 @@ bool opposite_edge_crosses(const CrossingFace& of, int corner, const CrossingFac
   return segment_crosses_triangle(p, q, *t[0], *t[1], *t[2]);
 }
 
+/// What all parts find, in order.
+template <typename Look>
+CrossingPairs found_in(std::span<const geometry::BoxGroups::Part> parts, Crew& crew, const Look& look) {
+  std::vector<CrossingPairs> found(parts.size());
+  crew.each(static_cast<int>(parts.size()),
+            [&](int i) { look(parts[static_cast<std::size_t>(i)], found[static_cast<std::size_t>(i)]); });
+  CrossingPairs all;
+  for (const CrossingPairs& some : found) all.insert(all.end(), some.begin(), some.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 }  // namespace
 
 ExactPoint to_grid(Vec3 p) {
@@ -222,17 +236,17 @@ bool CrossingCounter::cross_each_other(Index s, Index t) const {
                        : opposite_edge_crosses(a, m.corner_a, b) || opposite_edge_crosses(b, m.corner_b, a);
 }
 
-CrossingPairs CrossingCounter::with(const CrossingBody& body) const {
-  CrossingPairs found;
-  groups_.pairs(body.groups, [&](Index t, Index s) {
-    if (crosses(t, body, s)) found.push_back({t, s});
+CrossingPairs CrossingCounter::with(const CrossingBody& body, Crew& crew) const {
+  const std::vector<geometry::BoxGroups::Part> parts = groups_.parts(body.groups, crew.parts());
+  return found_in(parts, crew, [&](const geometry::BoxGroups::Part& part, CrossingPairs& found) {
+    groups_.pairs_in(part, body.groups, [&](Index t, Index s) {
+      if (crosses(t, body, s)) found.push_back({t, s});
+    });
   });
-  std::sort(found.begin(), found.end());
-  return found;
 }
 
-CrossingPairs CrossingCounter::with(const CrossingBody& body, CrossingPairs before) const {
-  if (!few_moved()) return with(body);
+CrossingPairs CrossingCounter::with(const CrossingBody& body, CrossingPairs before, Crew& crew) const {
+  if (!few_moved()) return with(body, crew);
   std::erase_if(before, [&](const std::array<Index, 2>& pair) { return has_moved_[pair[0]]; });
   for (const Index t : moved_) {
     body.groups.query(boxes_[t], [&](Index s) {
@@ -243,17 +257,17 @@ CrossingPairs CrossingCounter::with(const CrossingBody& body, CrossingPairs befo
   return before;
 }
 
-CrossingPairs CrossingCounter::with_itself() const {
-  CrossingPairs found;
-  groups_.self_pairs([&](Index s, Index t) {
-    if (cross_each_other(s, t)) found.push_back({std::min(s, t), std::max(s, t)});
+CrossingPairs CrossingCounter::with_itself(Crew& crew) const {
+  const std::vector<geometry::BoxGroups::Part> parts = groups_.self_parts(crew.parts());
+  return found_in(parts, crew, [&](const geometry::BoxGroups::Part& part, CrossingPairs& found) {
+    groups_.self_pairs_in(part, [&](Index s, Index t) {
+      if (cross_each_other(s, t)) found.push_back({std::min(s, t), std::max(s, t)});
+    });
   });
-  std::sort(found.begin(), found.end());
-  return found;
 }
 
-CrossingPairs CrossingCounter::with_itself(CrossingPairs before) const {
-  if (!few_moved()) return with_itself();
+CrossingPairs CrossingCounter::with_itself(CrossingPairs before, Crew& crew) const {
+  if (!few_moved()) return with_itself(crew);
   std::erase_if(before,
                 [&](const std::array<Index, 2>& pair) { return has_moved_[pair[0]] || has_moved_[pair[1]]; });
   for (const Index t : moved_) {
@@ -270,13 +284,15 @@ std::vector<std::array<Index, 2>> body_crossings(const Surface& cloth, std::span
                                                  const CrossingBody& body) {
   CrossingCounter counter(cloth);
   counter.place(positions);
-  return counter.with(body);
+  Crew alone;
+  return counter.with(body, alone);
 }
 
 std::vector<std::array<Index, 2>> self_crossings(const Surface& cloth, std::span<const Vec3> positions) {
   CrossingCounter counter(cloth);
   counter.place(positions);
-  return counter.with_itself();
+  Crew alone;
+  return counter.with_itself(alone);
 }
 
 }  // namespace toile::collision

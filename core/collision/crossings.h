@@ -11,6 +11,10 @@
 #include "core/collision/surface.h"
 #include "core/geometry/box_groups.h"
 
+namespace toile {
+class Crew;
+}
+
 namespace toile::collision {
 
 /// A position in units of 2⁻²⁰ m. |x| stays below 2³¹ for positions within two kilometres.
@@ -59,12 +63,12 @@ class CrossingCounter {
   const Surface& cloth() const { return cloth_; }
   /// Where the cloth is now; needed first. As many positions (m) as the surface has vertices.
   void place(std::span<const Vec3> positions);
-  CrossingPairs with(const CrossingBody& body) const;  ///< as body_crossings()
-  CrossingPairs with_itself() const;                   ///< as self_crossings()
+  CrossingPairs with(const CrossingBody& body, Crew& crew) const;  ///< as body_crossings()
+  CrossingPairs with_itself(Crew& crew) const;                     ///< as self_crossings()
   /// The same where `before` was the answer for the places before these: what did not move since is not
   /// looked at again. Untangling moves a few triangles of many.
-  CrossingPairs with(const CrossingBody& body, CrossingPairs before) const;
-  CrossingPairs with_itself(CrossingPairs before) const;
+  CrossingPairs with(const CrossingBody& body, CrossingPairs before, Crew& crew) const;
+  CrossingPairs with_itself(CrossingPairs before, Crew& crew) const;
 
  private:
   void find_moved(const std::vector<ExactPoint>& before);

@@ -65,7 +65,7 @@ double PairMeasure::largest_radius(std::span<const Index> vertices) const {
 }
 
 bool PairMeasure::at_centres(std::span<const Index> vertices) const {
-  return std::all_of(vertices.begin(), vertices.end(), [&](Index v) { return x_[v] == out_.centre[v]; });
+  return std::all_of(vertices.begin(), vertices.end(), [&](Index v) { return x_[v] == at_.centre[v]; });
 }
 
 double PairMeasure::thickness_at(std::span<const Index> vertices) const {
@@ -86,7 +86,6 @@ bool PairMeasure::has_gap(double gap, Index vertex) {
 Index PairMeasure::list(std::span<const Index> vertices) {
   ListedPair pair;
   std::copy(vertices.begin(), vertices.end(), pair.v.begin());
-  for (const Index v : vertices) touched_[v] = 1;
   out_.pairs.push_back(pair);
   return static_cast<Index>(out_.pairs.size()) - 1;
 }
@@ -95,8 +94,8 @@ Index PairMeasure::list(std::span<const Index> vertices) {
 /// What its trust region never reaches needs no plane.
 void PairMeasure::bound(Index pair, Index vertex, Vec3 n, Vec3 closest, double allowance) {
   const double room = std::max(0.0, dot(n, x_[vertex] - closest)) + allowance;
-  const double slack = room + dot(n, out_.centre[vertex] - x_[vertex]);
-  if (slack < radius(vertex)) out_.planes[vertex].push_back({n, slack, pair});
+  const double slack = room + dot(n, at_.centre[vertex] - x_[vertex]);
+  if (slack < radius(vertex)) out_.bounds.push_back({vertex, {n, slack, pair}});
 }
 
 void PairMeasure::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, Index face) {
@@ -121,12 +120,12 @@ void PairMeasure::vertex_on_obstacle(const Obstacle& obstacle, Index vertex, Ind
   contact.restitution = obstacle.restitution;
   contact.carried =
       velocity_at(obstacle, {{corners[0], there.at.a}, {corners[1], there.at.b}, {corners[2], there.at.c}});
-  out_.vertex_contacts[vertex].push_back({pair, gap, false, contact});
+  out_.vertex_contacts.push_back({pair, gap, false, contact});
 }
 
 void PairMeasure::obstacle_vertex_on_cloth(const Obstacle& obstacle, Index theirs, const Tri& triangle) {
   const Vec3 point = obstacle.vertices[theirs];
-  OnTriangle here = nearest_on(point, out_.centre, triangle);
+  OnTriangle here = nearest_on(point, at_.centre, triangle);
   if (length(here.q - point) >= largest_radius(triangle)) return;
   if (!at_centres(triangle)) here = nearest_on(point, x_, triangle);
   const double gap = length(here.q - point);
@@ -159,7 +158,7 @@ void PairMeasure::edge_on_obstacle(const Obstacle& obstacle, std::array<Index, 2
   const auto [a0, a1] = mine;
   const Vec3 b0 = obstacle.vertices[obstacle.surface.edges[theirs][0]],
              b1 = obstacle.vertices[obstacle.surface.edges[theirs][1]];
-  BetweenEdges between = nearest_between(out_.centre[a0], out_.centre[a1], b0, b1);
+  BetweenEdges between = nearest_between(at_.centre[a0], at_.centre[a1], b0, b1);
   if (length(between.p - between.q) >= largest_radius(mine)) return;
   if (!at_centres(mine)) between = nearest_between(x_[a0], x_[a1], b0, b1);
   const auto& [at, p, q] = between;
@@ -190,9 +189,9 @@ void PairMeasure::edge_on_obstacle(const Obstacle& obstacle, std::array<Index, 2
 
 void PairMeasure::vertex_on_cloth(Index vertex, const Tri& triangle) {
   const Index four[] = {vertex, triangle[0], triangle[1], triangle[2]};
-  OnTriangle there = nearest_on(out_.centre[vertex], out_.centre, triangle);
+  OnTriangle there = nearest_on(at_.centre[vertex], at_.centre, triangle);
   const double both = radius(vertex) + largest_radius(triangle);
-  if (length(out_.centre[vertex] - there.q) >= std::max(both, settings_.thickness)) return;
+  if (length(at_.centre[vertex] - there.q) >= std::max(both, settings_.thickness)) return;
   if (!at_centres(four)) there = nearest_on(x_[vertex], x_, triangle);
   const Vec3 p = x_[vertex];
   const double gap = length(p - there.q);
@@ -202,23 +201,23 @@ void PairMeasure::vertex_on_cloth(Index vertex, const Tri& triangle) {
   const Index pair = list(four);
   bound(pair, vertex, n, p, allowance);
   for (const Index v : triangle) bound(pair, v, -n, there.q, allowance);
-  out_.vertex_contacts[vertex].push_back({pair,
-                                          gap,
-                                          false,
-                                          {4,
-                                           {vertex, triangle[0], triangle[1], triangle[2]},
-                                           {1, -there.at.a, -there.at.b, -there.at.c},
-                                           n,
-                                           0,
-                                           thickness_at(four),
-                                           settings_.cloth_friction}});
+  out_.vertex_contacts.push_back({pair,
+                                  gap,
+                                  false,
+                                  {4,
+                                   {vertex, triangle[0], triangle[1], triangle[2]},
+                                   {1, -there.at.a, -there.at.b, -there.at.c},
+                                   n,
+                                   0,
+                                   thickness_at(four),
+                                   settings_.cloth_friction}});
 }
 
 void PairMeasure::edges_of_cloth(std::array<Index, 2> mine, std::array<Index, 2> theirs) {
   const auto [a0, a1] = mine;
   const auto [b0, b1] = theirs;
   const Index four[] = {a0, a1, b0, b1};
-  const std::vector<Vec3>& c = out_.centre;
+  const std::vector<Vec3>& c = at_.centre;
   BetweenEdges between = nearest_between(c[a0], c[a1], c[b0], c[b1]);
   if (length(between.p - between.q) >= largest_radius(mine) + largest_radius(theirs)) return;
   if (!at_centres(four)) between = nearest_between(x_[a0], x_[a1], x_[b0], x_[b1]);

@@ -1,5 +1,6 @@
 #pragma once
-// How two features lie to each other, and what that asks of their vertices: entries in the lists of Contacts.
+// How two features lie to each other, and what that asks of their vertices: entries for the lists of
+// Contacts.
 
 #include <array>
 #include <initializer_list>
@@ -29,10 +30,9 @@ struct ContactSettings {
 /// measured earlier.
 class PairMeasure {
  public:
-  /// `x` (m) is where the vertices are; `touched` gets a mark for each vertex of a listed pair.
-  PairMeasure(const ContactSettings& settings, std::span<const Vec3> x, std::span<char> touched,
-              Contacts& out)
-      : settings_(settings), x_(x), touched_(touched), out_(out) {}
+  /// `x` (m) is where the vertices are, `at` has their centres and trust regions.
+  PairMeasure(const ContactSettings& settings, std::span<const Vec3> x, const Contacts& at, FoundPairs& out)
+      : settings_(settings), x_(x), at_(at), out_(out) {}
 
   void vertex_on_obstacle(const Obstacle& obstacle, Index vertex, Index face);
   void obstacle_vertex_on_cloth(const Obstacle& obstacle, Index theirs, const Tri& triangle);
@@ -42,7 +42,7 @@ class PairMeasure {
 
  private:
   /// Of a vertex, before the share that pairs which are not listed keep free.
-  double radius(Index v) const { return out_.trust_radius[v] + 0.5 * kContactFloor; }
+  double radius(Index v) const { return at_.trust_radius[v] + 0.5 * kContactFloor; }
   double largest_radius(std::span<const Index> vertices) const;
   bool at_centres(std::span<const Index> vertices) const;
   double thickness_at(std::span<const Index> vertices) const;
@@ -53,8 +53,8 @@ class PairMeasure {
 
   const ContactSettings& settings_;
   std::span<const Vec3> x_;
-  std::span<char> touched_;
-  Contacts& out_;
+  const Contacts& at_;
+  FoundPairs& out_;
 };
 
 }  // namespace toile::collision

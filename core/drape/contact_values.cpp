@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/crew.h"
+
 namespace toile::drape {
 namespace {
 
@@ -76,8 +78,9 @@ void contact_values(StateWriter& out, collision::Contacts& contacts) { fields(ou
 void contact_values(StateReader& in, collision::Contacts& contacts) {
   fields(in, contacts);
   // What is pushed apart follows from the lists; no vertex is marked, for its bounds were read.
-  if (contacts.planes.size() == contacts.vertex_contacts.size())
-    contacts.follow(std::vector<char>(contacts.planes.size(), 0));
+  if (contacts.planes.size() != contacts.vertex_contacts.size()) return;
+  Crew alone;
+  contacts.follow(std::vector<char>(contacts.planes.size(), 0), alone);
 }
 
 bool sound_contacts(const collision::Contacts& c, std::size_t vertex_count) {

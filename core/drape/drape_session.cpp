@@ -248,13 +248,13 @@ void DrapeSession::give_way(const solver::StepForces& forces) {
   solver_->give_way([&](Vec3 p) { return dressing::is_around_limb(wearer_->figure, p); });
 }
 
-void DrapeSession::step() {
+void DrapeSession::step(Crew& crew) {
   TOILE_CHECK(phase_ != Phase::kDone);
   come_back_to_shape();
   lead_by_hands();
   if (motion_.is_going()) move_bodies();
   const solver::StepForces forces = forces_now();
-  const solver::StepReport report = solver_->step(forces);
+  const solver::StepReport report = solver_->step(forces, crew);
   give_way(forces);
   ++steps_;
   time_ += input_.settings.time_step;

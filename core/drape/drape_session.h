@@ -42,7 +42,7 @@ class DrapeSession : public Session {
   Status go_on_from(const warm::HungGarment& before, const mesh::PanelMeshes& meshes,
                     const std::optional<dressing::Person>& wearer);
 
-  void step() override;
+  void step(Crew& crew) override;
   void begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) override;
   /// Not once hands have been on it: where it hangs then is what they wanted.
   bool may_begin_anew() const override { return hands_.untouched(); }
@@ -73,7 +73,7 @@ class DrapeSession : public Session {
 
   std::vector<Vec3> positions() const override;
   const std::vector<Vec3>& start_positions() const override { return assembly_.positions; }
-  CrossingCount count_crossings() override;
+  CrossingCount count_crossings(Crew& crew) override;
 
  private:
   using Phase = DrapePhase;

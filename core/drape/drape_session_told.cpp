@@ -105,14 +105,14 @@ MotionFigures DrapeSession::motion() const {
   return figures;
 }
 
-CrossingCount DrapeSession::count_crossings() {
+CrossingCount DrapeSession::count_crossings(Crew& crew) {
   if (std::exchange(bodies_moved_, false)) {
     const std::vector<std::vector<Vec3>> moved = moved_bodies();
     for (std::size_t b = 0; b < moved.size(); ++b) {
       if (motion_.moves(b)) crossings_.move_body(b, moved[b]);
     }
   }
-  return crossings_.count(positions());
+  return crossings_.count(positions(), crew);
 }
 
 solver::constraints::OpenTie DrapeSession::open_button() const {

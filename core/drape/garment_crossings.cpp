@@ -13,12 +13,12 @@ void GarmentCrossings::move_body(std::size_t body, std::span<const Vec3> vertice
   bodies_[body] = collision::make_crossing_body(vertices, bodies_[body].triangles);
 }
 
-CrossingCount GarmentCrossings::count(std::span<const Vec3> x) {
+CrossingCount GarmentCrossings::count(std::span<const Vec3> x, Crew& crew) {
   CrossingCount count;
   counter_.place(x);
   for (const collision::CrossingBody& body : bodies_)
-    count.cloth_body += static_cast<int>(counter_.with(body).size());
-  count.cloth_cloth = static_cast<int>(counter_.with_itself().size());
+    count.cloth_body += static_cast<int>(counter_.with(body, crew).size());
+  count.cloth_cloth = static_cast<int>(counter_.with_itself(crew).size());
   return count;
 }
 

@@ -8,6 +8,10 @@
 #include "core/drape/drape_result.h"
 #include "core/sewing/garment_mesh.h"
 
+namespace toile {
+class Crew;
+}
+
 namespace toile::drape {
 
 class GarmentCrossings {
@@ -19,7 +23,7 @@ class GarmentCrossings {
   void move_body(std::size_t body, std::span<const Vec3> vertices);
   const std::vector<collision::CrossingBody>& bodies() const { return bodies_; }
   /// `x`: m, of the garment's vertices.
-  CrossingCount count(std::span<const Vec3> x);
+  CrossingCount count(std::span<const Vec3> x, Crew& crew);
 
  private:
   collision::CrossingCounter counter_;

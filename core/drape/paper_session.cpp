@@ -99,7 +99,7 @@ void PaperSession::attach() {
 /// 1/s, at which the damping takes speed from what moves freely.
 double PaperSession::rate() const { return input_.settings.paper.damping / input_.settings.paper.time_step; }
 
-void PaperSession::step() {
+void PaperSession::step(Crew&) {
   TOILE_CHECK(phase_ != Phase::kDone);
   paper::StepForces forces;
   if (phase_ == Phase::kSew) {

@@ -24,7 +24,7 @@ class PaperSession : public Session {
                                              const std::optional<std::vector<Vec3>>& dressed,
                                              std::optional<double> ground);
 
-  void step() override;
+  void step(Crew& crew) override;
   /// Never asked for: may_begin_anew() says no. What the method makes of a start is its result.
   void begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) override;
   bool may_begin_anew() const override { return false; }
@@ -54,7 +54,7 @@ class PaperSession : public Session {
 
   std::vector<Vec3> positions() const override { return cloth_.positions(); }
   const std::vector<Vec3>& start_positions() const override { return assembly_.positions; }
-  CrossingCount count_crossings() override { return crossings_.count(cloth_.positions()); }
+  CrossingCount count_crossings(Crew& crew) override { return crossings_.count(cloth_.positions(), crew); }
 
  private:
   using Phase = DrapePhase;

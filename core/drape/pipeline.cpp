@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 
+#include "core/base/crew.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
 #include "core/drape/drape_session.h"
@@ -27,6 +28,9 @@ constexpr int kProgressInterval = 100;
 /// Crossings are looked for in so many frames at least, however soon the drape ends.
 constexpr double kFewestFrames = 100;
 
+/// Triangles of cloth that several threads find enough to do with.
+constexpr std::size_t kFewestShared = 2000;
+
 int frame_interval_of(const DrapeInput& input) {
   const DrapeSettings& s = input.settings;
   if (s.method == DrapeMethod::kPaper)
@@ -36,12 +40,17 @@ int frame_interval_of(const DrapeInput& input) {
                     std::max(1, s.frame_interval));
 }
 
+/// Threads that are worth it: a step of small cloth is over before a second one has begun.
+int threads_for(const sewing::GarmentMesh& garment, const RunContext& context) {
+  return garment.triangles.size() < kFewestShared ? 1 : context.threads;
+}
+
 /// Adds the times of a go to those of the run when it ends.
 class GoTimer {
  public:
-  explicit GoTimer(DrapeResult& result) : result_(result) {}
+  explicit GoTimer(DrapeResult& result, Crew* crew = nullptr) : result_(result), crew_(crew) {}
   ~GoTimer() {
-    result_.cpu_s += watch_.cpu_s();
+    result_.cpu_s += watch_.cpu_s() + (crew_ ? crew_->helpers_cpu_s() : 0);
     result_.wall_s += watch_.wall_s();
   }
   GoTimer(const GoTimer&) = delete;
@@ -49,6 +58,7 @@ class GoTimer {
 
  private:
   DrapeResult& result_;
+  Crew* crew_;  ///< of this go; null where one works alone
   Stopwatch watch_;
 };
 
@@ -103,9 +113,10 @@ Result<std::unique_ptr<DrapeRun>> DrapeRun::start(const DrapeInput& input, const
                                                   FrameSink* sink) {
   std::unique_ptr<DrapeRun> run(new DrapeRun(input, sink));
   TRY(run->prepare(context));
-  const GoTimer timer(run->result_);
+  Crew crew(threads_for(run->session().garment(), context));
+  const GoTimer timer(run->result_, &crew);
   if (sink) sink->begin(run->result_.garment);
-  run->record_frame();
+  run->record_frame(crew);
   return run;
 }
 
@@ -280,8 +291,8 @@ void DrapeRun::begin_anew(const RunContext& context) {
 }
 
 /// Shows a frame to the sink and counts its crossings.
-void DrapeRun::record_frame() {
-  const CrossingCount count = session_->count_crossings();
+void DrapeRun::record_frame(Crew& crew) {
+  const CrossingCount count = session_->count_crossings(crew);
   ++result_.frames_checked;
   if (count.cloth_body + count.cloth_cloth > result_.worst.cloth_body + result_.worst.cloth_cloth) {
     result_.worst = count;
@@ -296,7 +307,8 @@ void DrapeRun::record_frame() {
 }
 
 int DrapeRun::advance(int max_steps, const RunContext& context) {
-  const GoTimer timer(result_);
+  Crew crew(threads_for(session_->garment(), context));
+  const GoTimer timer(result_, &crew);
   int taken = 0;
   while (taken < max_steps && !done() && !context.cancelled()) {
     if (ended_badly_) {
@@ -304,14 +316,14 @@ int DrapeRun::advance(int max_steps, const RunContext& context) {
       continue;
     }
     touch_again();
-    session_->step();
+    session_->step(crew);
     ++taken;
     if (session_->done() || session_->lost_seams()) ended_badly_ = ends_badly();
     if (session_->steps() % kProgressInterval == 0) {
       const Progress p = session_->progress();
       context.progress(p.phase, p.fraction);
     }
-    if (session_->steps() % frame_interval_ == 0 || session_->just_welded()) record_frame();
+    if (session_->steps() % frame_interval_ == 0 || session_->just_welded()) record_frame(crew);
   }
   return taken;
 }
@@ -367,8 +379,9 @@ void DrapeRun::tell_held(DrapeResult& result) const {
 
 DrapeResult DrapeRun::conclude() {
   {
+    Crew alone;
     const GoTimer timer(result_);
-    if (recorded_ != session_->steps()) record_frame();
+    if (recorded_ != session_->steps()) record_frame(alone);
   }
   DrapeResult result = result_;
   result.positions = session_->positions();

@@ -84,7 +84,7 @@ class DrapeRun {
   void tell_what_is_left_open(DrapeResult& result) const;
   void tell_motion(DrapeResult& result) const;
   void tell_held(DrapeResult& result) const;
-  void record_frame();
+  void record_frame(Crew& crew);
   void touch_again();
   void tell_touches(DrapeResult& result) const;
 

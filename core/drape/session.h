@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/crew.h"
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/drape/checkpoint.h"
@@ -25,8 +26,8 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// One step. REQUIRES !done().
-  virtual void step() = 0;
+  /// One step, with the help of a crew that changes no byte of it. REQUIRES !done().
+  virtual void step(Crew& crew) = 0;
   /// Begins once more, on the body, as with `dressed` and `ground` at its start: steps and time count on.
   virtual void begin_anew(const std::vector<Vec3>& dressed, std::optional<double> ground) = 0;
   /// Whether another start is tried where this one leads to open seams or to a garment that is not worn.
@@ -68,7 +69,7 @@ class Session {
 
   virtual std::vector<Vec3> positions() const = 0;  ///< m, of the garment's vertices
   virtual const std::vector<Vec3>& start_positions() const = 0;
-  virtual CrossingCount count_crossings() = 0;  ///< exact, now
+  virtual CrossingCount count_crossings(Crew& crew) = 0;  ///< exact, now
 };
 
 }  // namespace toile::drape

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "core/base/crew.h"
+
 namespace toile::dressing {
 
 namespace {
@@ -36,9 +38,10 @@ class Untangler {
       : cloth_(cloth), around_(neighbours_of(cloth)), counter_(cloth), spacing_(spacing), x_(x) {}
 
   Tangle look(const collision::CrossingBody& body) {
+    Crew alone;  // few triangles move from look to look
     counter_.place(x_);
-    with_itself_ = counter_.with_itself(std::move(with_itself_));
-    with_body_ = counter_.with(body, std::move(with_body_));
+    with_itself_ = counter_.with_itself(std::move(with_itself_), alone);
+    with_body_ = counter_.with(body, std::move(with_body_), alone);
     return {static_cast<int>(with_body_.size()), static_cast<int>(with_itself_.size())};
   }
 

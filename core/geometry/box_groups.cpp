@@ -39,6 +39,19 @@ void BoxGroups::refit(std::span<const Box3> boxes, std::span<const Index> change
   tree_.refit(around_, groups);
 }
 
+std::vector<BoxGroups::Part> BoxGroups::parts(const BoxGroups& other, std::size_t least) const {
+  std::vector<Part> parts;
+  for (const Bvh::NodePair& below : tree_.parts(other.tree_, least)) parts.push_back({below});
+  return parts;
+}
+
+std::vector<BoxGroups::Part> BoxGroups::self_parts(std::size_t least) const {
+  std::vector<Part> parts;
+  if (!groups_.empty()) parts.push_back({{}, 0, groups_.size()});
+  for (const Bvh::NodePair& below : tree_.self_parts(least)) parts.push_back({below});
+  return parts;
+}
+
 void BoxGroups::refit_group(Index g, std::span<const Box3> boxes) {
   // A place without a box holds the empty one, which overlaps none: lanes need no mask.
   const Box3 nothing;

@@ -48,6 +48,32 @@ class BoxGroups {
     tree_.self_pairs([&](Index g, Index h) { between(groups_[g], groups_[h], visit); });
   }
 
+  /// A part of the look for pairs: below two nodes, or within a row of groups.
+  struct Part {
+    Bvh::NodePair below;
+    std::size_t first = 0, last = 0;  ///< groups; none where it is below nodes
+  };
+
+  /// The look for pairs() in parts, about `least` or more where there are so many. What they visit, part
+  /// after part, is what pairs() visits, in its order.
+  std::vector<Part> parts(const BoxGroups& other, std::size_t least) const;
+  template <typename Visit>
+  void pairs_in(const Part& part, const BoxGroups& other, Visit&& visit) const {
+    tree_.pairs_below(part.below, other.tree_,
+                      [&](Index g, Index h) { between(groups_[g], other.groups_[h], visit); });
+  }
+
+  /// The same for self_pairs().
+  std::vector<Part> self_parts(std::size_t least) const;
+  template <typename Visit>
+  void self_pairs_in(const Part& part, Visit&& visit) const {
+    if (part.first < part.last) {
+      for (std::size_t g = part.first; g < part.last; ++g) within(groups_[g], visit);
+      return;
+    }
+    tree_.self_pairs_below(part.below, [&](Index g, Index h) { between(groups_[g], groups_[h], visit); });
+  }
+
  private:
   static constexpr int kSize = 8;
 

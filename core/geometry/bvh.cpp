@@ -40,6 +40,25 @@ std::span<Index>::iterator part(std::span<Index> order, std::span<const Box3> bo
   return middle;
 }
 
+/// Puts in each pair's place those that are looked at below it, until there are `least` or none is left to
+/// part. `below(pair)` gives them, itself alone where it cannot be parted.
+template <typename Below>
+std::vector<Bvh::NodePair> parted(std::size_t least, const Below& below) {
+  std::vector<Bvh::NodePair> parts{{}};
+  bool any = true;
+  while (any && parts.size() < least) {
+    std::vector<Bvh::NodePair> next;
+    any = false;
+    for (const Bvh::NodePair& pair : parts) {
+      const std::vector<Bvh::NodePair> smaller = below(pair);
+      any |= smaller != std::vector{pair};
+      next.insert(next.end(), smaller.begin(), smaller.end());
+    }
+    parts = std::move(next);
+  }
+  return parts;
+}
+
 }  // namespace
 
 void part_by_place(std::span<Index> order, std::span<const Box3> boxes, std::size_t most,
@@ -120,6 +139,38 @@ void Bvh::refit(std::span<const Box3> boxes, std::span<const Index> changed) {
       nodes_[i].box = joined;
     }
   }
+}
+
+/// Below a pair of two nodes, in the order in which they are visited; none where their boxes lie apart.
+std::vector<Bvh::NodePair> Bvh::below(NodePair pair, const Bvh& other) const {
+  const Node& a = nodes_[pair.mine];
+  const Node& b = other.nodes_[pair.theirs];
+  if (!overlap(a.box, b.box)) return {};
+  if (a.primitive != kNone && b.primitive != kNone) return {pair};
+  PairStack stack;
+  descend(a, pair.mine, b, pair.theirs, stack);
+  std::vector<NodePair> parts;
+  while (stack.size > 0) {
+    const auto [i, j] = stack.pop();
+    parts.push_back({i, j});
+  }
+  return parts;
+}
+
+std::vector<Bvh::NodePair> Bvh::parts(const Bvh& other, std::size_t least) const {
+  if (empty() || other.empty()) return {};
+  return parted(least, [&](NodePair pair) { return below(pair, other); });
+}
+
+std::vector<Bvh::NodePair> Bvh::self_parts(std::size_t least) const {
+  if (empty()) return {};
+  return parted(least, [&](NodePair pair) -> std::vector<NodePair> {
+    if (pair.mine != pair.theirs) return below(pair, *this);
+    const Node& node = nodes_[pair.mine];
+    if (node.primitive != kNone) return {};
+    const Index left = pair.mine + 1;
+    return {{left, left}, {left, node.right}, {node.right, node.right}};
+  });
 }
 
 }  // namespace toile::geometry

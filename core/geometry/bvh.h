@@ -72,12 +72,29 @@ class Bvh {
     }
   }
 
+  /// Two nodes, of this tree and another, or both of this one; what is looked for below them.
+  struct NodePair {
+    Index mine = 0, theirs = 0;
+    friend bool operator==(const NodePair&, const NodePair&) = default;
+  };
+
+  /// The look for pairs() in parts, about as many as `least` or more where there are so many: what
+  /// pairs_below() visits for one after the other is what pairs() visits, in its order.
+  std::vector<NodePair> parts(const Bvh& other, std::size_t least) const;
+  /// The same for self_pairs().
+  std::vector<NodePair> self_parts(std::size_t least) const;
+
   /// Calls visit(mine, theirs) for each pair of overlapping boxes of this tree and another.
   template <typename Visit>
   void pairs(const Bvh& other, Visit&& visit) const {
     if (empty() || other.empty()) return;
+    pairs_below({}, other, visit);
+  }
+
+  template <typename Visit>
+  void pairs_below(NodePair from, const Bvh& other, Visit&& visit) const {
     PairStack stack;
-    stack.push(0, 0);
+    stack.push(from.mine, from.theirs);
     while (stack.size > 0) {
       const auto [i, j] = stack.pop();
       const Node& a = nodes_[i];
@@ -95,8 +112,13 @@ class Bvh {
   template <typename Visit>
   void self_pairs(Visit&& visit) const {
     if (empty()) return;
+    self_pairs_below({}, visit);
+  }
+
+  template <typename Visit>
+  void self_pairs_below(NodePair from, Visit&& visit) const {
     PairStack stack;
-    stack.push(0, 0);
+    stack.push(from.mine, from.theirs);
     while (stack.size > 0) {
       const auto [i, j] = stack.pop();
       const Node& a = nodes_[i];
@@ -148,6 +170,7 @@ class Bvh {
     }
   }
 
+  std::vector<NodePair> below(NodePair pair, const Bvh& other) const;
   Index build(std::span<Index> order, std::span<const Box3> boxes);
   void note_ways_up();
 

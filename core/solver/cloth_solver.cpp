@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/base/check.h"
+#include "core/base/crew.h"
 #include "core/solver/constraints/contact_pass.h"
 #include "core/solver/constraints/restitution.h"
 #include "core/solver/constraints/viscosity.h"
@@ -31,6 +32,9 @@ constexpr double kMostMeasuredAlone = 0.25;
 /// triangles stood: with larger regions it ran into their division planes first, which ask for nothing, and
 /// slid at a third of its speed.
 constexpr double kTrustShare = 0.25;
+
+/// Vertices that are not worth a helper.
+constexpr std::size_t kFewVertices = 4096;
 
 double mean_edge(const ClothModel& model) {
   double sum = 0;
@@ -143,14 +147,19 @@ void ClothSolver::restore(SolverState state) {
 }
 
 StepReport ClothSolver::step(const StepForces& forces) {
+  Crew alone;
+  return step(forces, alone);
+}
+
+StepReport ClothSolver::step(const StepForces& forces, Crew& crew) {
   push_features(features_, forces.features, model_.triangles, inverse_mass_, h_, x_, feature_force_,
                 velocity_);
-  predict(forces);
-  lanes::spread(x_, points_);
+  predict(forces, crew);
+  lanes::spread(x_, points_, crew);
   const bool learns = forces.learns && pace_.due(forces.damping);
-  membrane_.solve(points_, learns);
-  bending_.solve(points_);
-  lanes::collect(points_, x_);
+  membrane_.solve(points_, learns, crew);
+  bending_.solve(points_, crew);
+  lanes::collect(points_, x_, crew);
   solve_features(features_, forces.features, inverse_mass_, h_, before_, x_, brought_);
   constraints::solve_height_holds(held_, x_);
   if (forces.stitch_length > 0) {  // after the holds: a thread wins over a hand
@@ -158,49 +167,51 @@ StepReport ClothSolver::step(const StepForces& forces) {
   } else {
     constraints::close_groups(stitch_groups_, inverse_mass_, h_, x_);
   }
-  const StepReport report = truncate(forces);
-  finish(forces);
+  const StepReport report = truncate(forces, crew);
+  finish(forces, crew);
   if (forces.viscosity > 0)
     constraints::even_velocities(model_.triangles, model_.mass, forces.viscosity, velocity_);
   if (learns) membrane_.learn(x_, pace_.next_share(forces.damping, h_), pace_.ended());
   return report;
 }
 
-void ClothSolver::predict(const StepForces& forces) {
+void ClothSolver::predict(const StepForces& forces, Crew& crew) {
   before_ = x_;
   const double keep = 1 / (1 + forces.damping * h_);
   const double fall = forces.gravity * h_;
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    if (inverse_mass_[i] == 0) continue;
-    Vec3& v = velocity_[i];
-    v.y -= fall;
-    v = v * keep;
-    x_[i] += v * h_;
-  }
+  crew.ranges(x_.size(), kFewVertices, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (inverse_mass_[i] == 0) continue;
+      Vec3& v = velocity_[i];
+      v.y -= fall;
+      v = v * keep;
+      x_[i] += v * h_;
+    }
+  });
   for (const constraints::HeldVertex& h : held_) {
     if (!h.height_only) x_[h.v] = h.target;
   }
 }
 
-void ClothSolver::measure_all() {
+void ClothSolver::measure_all(Crew& crew) {
   for (std::size_t i = 0; i < velocity_.size(); ++i) speed_[i] = length(velocity_[i]);
-  finder_.detect(before_, speed_, contacts_);
+  finder_.detect(before_, speed_, contacts_, crew);
   detected_ = true;
   moved_.resize(x_.size());
   std::iota(moved_.begin(), moved_.end(), 0);
 }
 
 /// Those that went far, and those that planes stop.
-void ClothSolver::measure_again() {
+void ClothSolver::measure_again(Crew& crew) {
   moved_.clear();
   for (std::size_t i = 0; i < x_.size(); ++i) {
     const auto v = static_cast<Index>(i);
     if (wants_measuring(v)) moved_.push_back(v);
   }
   if (static_cast<double>(moved_.size()) > kMostMeasuredAlone * static_cast<double>(x_.size()))
-    return measure_all();
+    return measure_all(crew);
   for (const Index v : moved_) speed_[v] = length(velocity_[v]);
-  finder_.detect_again(moved_, before_, speed_, contacts_);
+  finder_.detect_again(moved_, before_, speed_, contacts_, crew);
 }
 
 bool ClothSolver::wants_measuring(Index v) const {
@@ -211,11 +222,15 @@ bool ClothSolver::wants_measuring(Index v) const {
 }
 
 /// Few vertices come near a bound in a step: those are looked at closely.
-void ClothSolver::note_who_went_far() {
+void ClothSolver::note_who_went_far(Crew& crew) {
+  went_far_.resize(x_.size());
+  crew.ranges(x_.size(), kFewVertices, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      went_far_[i] = contacts_.surely_inside(static_cast<Index>(i), x_[i]) ? 0 : 1;
+  });
   far_.clear();
   for (std::size_t i = 0; i < x_.size(); ++i) {
-    const auto v = static_cast<Index>(i);
-    if (!contacts_.surely_inside(v, x_[i])) far_.push_back(v);
+    if (went_far_[i]) far_.push_back(static_cast<Index>(i));
   }
 }
 
@@ -249,16 +264,16 @@ void ClothSolver::note_who_is_stuck() {
   hits_ = 0;
 }
 
-void ClothSolver::push_apart(const StepForces& forces) {
+void ClothSolver::push_apart(const StepForces& forces, Crew& crew) {
   constraints::solve_contacts(contacts_.contacts, before_, inverse_mass_, forces.friction, h_, x_,
                               depenetration_);
-  note_who_went_far();
+  note_who_went_far(crew);
 }
 
 /// Look before clamping: where a vertex would leave its trust region, or many run into planes, measure at
 /// this step's start what went far, and cut the proposal with fresh bounds. Clamping on and on would pin the
 /// cloth in the air.
-StepReport ClothSolver::truncate(const StepForces& forces) {
+StepReport ClothSolver::truncate(const StepForces& forces, Crew& crew) {
   StepReport report;
   for (const Vec3& p : x_) report.not_finite |= !is_finite(p);
   if (report.not_finite) {
@@ -268,14 +283,14 @@ StepReport ClothSolver::truncate(const StepForces& forces) {
   std::fill(depenetration_.begin(), depenetration_.end(), Vec3{});
   proposal_ = x_;
   const bool first = !detected_;
-  if (first) measure_all();
-  push_apart(forces);
+  if (first) measure_all(crew);
+  push_apart(forces, crew);
   if (!first) count_stops();
   if (!first && (leaves_trust_region() || hits_ > kPlaneHitShare * static_cast<double>(x_.size()))) {
-    measure_again();
+    measure_again(crew);
     x_ = proposal_;
     std::fill(depenetration_.begin(), depenetration_.end(), Vec3{});
-    push_apart(forces);
+    push_apart(forces, crew);
     report.detections = 1;
   }
   if (first || report.detections > 0) {
@@ -291,12 +306,14 @@ StepReport ClothSolver::truncate(const StepForces& forces) {
   return report;
 }
 
-void ClothSolver::finish(const StepForces& forces) {
+void ClothSolver::finish(const StepForces& forces, Crew& crew) {
   const double per_h = 1 / h_;
   std::vector<constraints::Impact> impacts;
   if (bouncy_)
     impacts = constraints::find_impacts(contacts_.contacts, forces.restitution, proposal_, velocity_);
-  for (std::size_t i = 0; i < x_.size(); ++i) velocity_[i] = (x_[i] - before_[i] - depenetration_[i]) * per_h;
+  crew.ranges(x_.size(), kFewVertices, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) velocity_[i] = (x_[i] - before_[i] - depenetration_[i]) * per_h;
+  });
   constraints::let_lie(brought_, h_, velocity_);
   constraints::give_back(impacts, inverse_mass_, velocity_);
 }

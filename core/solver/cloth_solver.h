@@ -11,6 +11,10 @@
 #include "core/solver/constraints/stitch.h"
 #include "core/solver/lanes/passes.h"
 
+namespace toile {
+class Crew;
+}
+
 namespace toile::solver {
 
 /// What acts on the cloth during a step. May change from step to step.
@@ -54,6 +58,8 @@ class ClothSolver {
   ClothSolver(ClothModel model, std::vector<Vec3> positions, std::span<const collision::Obstacle> obstacles,
               double time_step, std::span<const Vec3> layout = {});
 
+  /// The crew's size changes no byte of what comes out.
+  StepReport step(const StepForces& forces, Crew& crew);
   StepReport step(const StepForces& forces);
 
   void set_stitches(std::vector<constraints::Stitch> stitches);
@@ -92,17 +98,17 @@ class ClothSolver {
   double time_step() const { return h_; }
 
  private:
-  void predict(const StepForces& forces);
-  void measure_all();
-  void measure_again();
-  StepReport truncate(const StepForces& forces);
-  void push_apart(const StepForces& forces);
-  void note_who_went_far();
+  void predict(const StepForces& forces, Crew& crew);
+  void measure_all(Crew& crew);
+  void measure_again(Crew& crew);
+  StepReport truncate(const StepForces& forces, Crew& crew);
+  void push_apart(const StepForces& forces, Crew& crew);
+  void note_who_went_far(Crew& crew);
   bool leaves_trust_region() const;
   void count_stops();
   bool wants_measuring(Index v) const;
   void note_who_is_stuck();
-  void finish(const StepForces& forces);
+  void finish(const StepForces& forces, Crew& crew);
 
   ClothModel model_;
   std::span<const collision::Obstacle> obstacles_;
@@ -120,6 +126,7 @@ class ClothSolver {
   std::vector<constraints::BroughtBack> brought_;
   std::vector<lanes::LanePoint> points_;  ///< x_, while lanes work on it
   std::vector<double> speed_;             ///< m/s, of vertices to be measured
+  std::vector<char> went_far_;            ///< marks of those
   std::vector<Index> far_;                ///< vertices that may have met a bound in this step
   std::vector<Index> moved_;              ///< that are measured again
   bool bouncy_ = false;                   ///< an obstacle throws cloth back

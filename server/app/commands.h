@@ -14,12 +14,16 @@
 
 namespace toile::app {
 
+/// More threads than these find too little to do side by side in one drape.
+inline constexpr int kMostThreads = 16;
+
 struct DrapeOptions {
   std::string project;  ///< path of the document
   std::string out;      ///< folder for the results
   std::string from;     ///< final.hung of another drape, or the folder where it lies; empty: from the pieces
   std::string replay;   ///< drape.log, whose hands are on the cloth again; empty: none
   bool check_data = false;
+  int threads = 0;      ///< that drape; 0: as many as the machine has
   std::string trace;    ///< path; empty: no trace
   int trace_every = 1;  ///< frames
   bool json = false;

@@ -186,7 +186,8 @@ ExitCode drape_command(const DrapeOptions& options) {
   if (!trace) return fail(trace.error(), options.json);
 
   Recorders recorders(trace->get());
-  const Result<drape::DrapeResult> result = drape_once(read.input, recorders, std::move(touches));
+  const Result<drape::DrapeResult> result =
+      drape_once(read.input, recorders, std::move(touches), options.threads);
   if (!result) return fail(result.error(), options.json);
   if (*trace) {
     if (Status traced = (*trace)->finish(); !traced) return fail(traced.error(), options.json);

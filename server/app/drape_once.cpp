@@ -1,10 +1,12 @@
 #include "server/app/drape_once.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "core/base/read_file.h"
@@ -12,6 +14,7 @@
 #include "core/drape/worn_part.h"
 #include "core/json/tree.h"
 #include "core/manifest/touch_log.h"
+#include "server/app/commands.h"
 #include "server/app/engine_id.h"
 #include "server/app/interrupt.h"
 #include "server/app/mesh_reader.h"
@@ -80,9 +83,11 @@ Result<std::vector<drape::Touch>> read_touches(const fs::path& path) {
 }
 
 Result<drape::DrapeResult> drape_once(drape::DrapeInput& input, drape::FrameSink& sink,
-                                      std::vector<drape::Touch> touches) {
+                                      std::vector<drape::Touch> touches, int threads) {
   ProgressBar bar;
   RunContext context;
+  const int processors = static_cast<int>(std::thread::hardware_concurrency());
+  context.threads = std::clamp(threads > 0 ? threads : processors, 1, kMostThreads);
   context.cancel = &cancel_on_interrupt();
   context.on_progress = [&](const Progress& progress) { bar.show(progress); };
   Result<std::unique_ptr<drape::DrapeRun>> run = drape::DrapeRun::start(input, context, &sink);

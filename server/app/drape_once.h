@@ -32,10 +32,11 @@ Result<ReadyProject> read_to_drape(const std::string& path, const std::string& f
 /// The touches that a drape.log has. Errors: usage.replay (it cannot be read), log.damaged.
 Result<std::vector<drape::Touch>> read_touches(const std::filesystem::path& path);
 
-/// Drapes with a bar of progress, until the end or Ctrl-C, with `touches` at their steps. What cannot be put
+/// Drapes with a bar of progress, until the end or Ctrl-C, with `touches` at their steps, on so many threads
+/// (0: one for each processor). What cannot be put
 /// on is left out of `input`, too. No positions where it was cancelled before there was any cloth. Errors:
 /// those of drape::drape and of DrapeRun::replay.
 Result<drape::DrapeResult> drape_once(drape::DrapeInput& input, drape::FrameSink& sink,
-                                      std::vector<drape::Touch> touches = {});
+                                      std::vector<drape::Touch> touches, int threads = 0);
 
 }  // namespace toile::app

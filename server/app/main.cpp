@@ -64,6 +64,11 @@ CLI::App* add_drape(CLI::App& app, Options& options) {
                    "Go on from how the garment hung at the end of another drape: its folder, or final.hung");
   verb->add_option("--replay", options.drape.replay,
                    "Hands that were on the cloth of another drape of this project: its drape.log");
+  verb->add_option(
+          "--threads", options.drape.threads,
+          "Threads that drape; no byte of the results depends on it (default: one for each processor)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
   CLI::Option* trace = verb->add_option("--trace", options.drape.trace,
                                         "Keep the drape's frames in this file (proto/trace.md)");
   verb->add_option("--trace-every", options.drape.trace_every, "Keep every N-th frame only")

@@ -2,6 +2,7 @@
 // The service of jobs over a queue in memory and a store that other processes may share. What people ask for
 // is in service.cpp, what processes do beside one another in company.cpp, what workers do in working.cpp.
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
@@ -115,6 +116,7 @@ class QueueingJobService final : public JobService {
 
   std::mutex lifecycle_mutex_;  ///< start and stop; before the table's locks
   std::unique_ptr<RenderWorker> renderer_;
+  std::atomic<int> working_{0};  ///< workers that have a drape in hand
   std::unique_ptr<WorkerPool> pool_, express_;
   std::mutex company_mutex_;
   std::condition_variable_any company_bell_;

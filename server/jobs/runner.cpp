@@ -130,6 +130,7 @@ std::optional<RunEnd> JobRun::through_all_stages(const RunControl& control) {
 RunContext JobRun::context_of(const RunControl& control) {
   RunContext context;
   context.cancel = control.interrupt;
+  context.threads = control.threads();
   return context;
 }
 

@@ -50,8 +50,11 @@ struct RunControl {
   std::function<bool()> abandon;  ///< whether even a finished drape lets go, without its pictures and results
   std::function<bool()> worth_keeping;  ///< whether a drape that lets go will be taken up again
   TouchInbox* hands = nullptr;          ///< what viewers do to the cloth
-  ShapeWish* shape = nullptr;           ///< who wants to go on from how it hangs
-  bool one_frame = false;               ///< it lets go after the next streamed frame
+  /// Threads that may work on the drape until it is asked again: the workers' that have nothing to do. Only
+  /// the worker's own time is charged; the others' nobody wanted.
+  std::function<int()> threads;
+  ShapeWish* shape = nullptr;                           ///< who wants to go on from how it hangs
+  bool one_frame = false;                               ///< it lets go after the next streamed frame
   std::function<void(const JobProgress&)> on_progress;  ///< at most about ten times a second
   std::function<void()> on_kept;                        ///< a checkpoint: the drape has come further
   /// s that went into a phase, often: processor time, and for kStillsPhase time by the clock.

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <utility>
 
@@ -14,6 +16,18 @@ namespace {
 constexpr int kMostTries = 3;
 /// After the store has refused a claim a worker waits: a full disk is not emptied in a millisecond.
 constexpr auto kStorePause = std::chrono::seconds(1);
+
+/// Counts who has a drape in hand.
+class AtWork {
+ public:
+  explicit AtWork(std::atomic<int>& count) : count_(count) { ++count_; }
+  ~AtWork() { --count_; }
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
+
+ private:
+  std::atomic<int>& count_;
+};
 
 }  // namespace
 
@@ -70,6 +84,8 @@ bool QueueingJobService::work_once(WorkerKind kind) {
   const LiveJobPtr job = claim(kind);
   if (!job) return false;
   RunControl control;
+  const AtWork at_work(working_);
+  control.threads = [this] { return std::max(1, settings_.workers / std::max(1, working_.load())); };
   control.interrupt = job->interrupt.get();
   // A stop waits a while for pictures of a finished drape; a person who paused or cancelled does not.
   control.abandon = [&] {

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "core/base/crew.h"
 #include "core/collision/crossings.h"
 #include "core/drape/rest_probe.h"
 #include "core/drape/settle.h"
@@ -72,9 +73,12 @@ class FrameCheck {
 
   void look(std::span<const Vec3> x) {
     ++worst_.frames;
+    Crew alone;
     cloth_.place(x);
-    worst_.body_crossings = std::max(worst_.body_crossings, static_cast<int>(cloth_.with(body_).size()));
-    worst_.self_crossings = std::max(worst_.self_crossings, static_cast<int>(cloth_.with_itself().size()));
+    worst_.body_crossings =
+        std::max(worst_.body_crossings, static_cast<int>(cloth_.with(body_, alone).size()));
+    worst_.self_crossings =
+        std::max(worst_.self_crossings, static_cast<int>(cloth_.with_itself(alone).size()));
   }
   const WorstFrame& worst() const { return worst_; }
 

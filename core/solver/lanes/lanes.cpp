@@ -6,9 +6,6 @@ namespace toile::solver::lanes {
 
 namespace {
 
-/// How far ahead a constraint is looked for that shares no vertex with those of a group.
-constexpr std::size_t kLookAhead = 192;
-
 /// Least compliance / h² of a direction, as a share of its mobility: a system that rounding cannot turn over.
 /// One pass a step never makes cloth that hard.
 constexpr double kLeastSoft = 1e-5;
@@ -29,44 +26,12 @@ double lane_unit(const constraints::MembraneTriangle& t, std::span<const double>
   return 1 / mobility_of(t, w);
 }
 
-std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
-                                   const std::function<std::span<const Index>(Index)>& vertices) {
-  std::vector<LaneGroup> groups;
-  std::vector<Index> taken(static_cast<std::size_t>(vertex_count), kNone);  // by which group, last
-  std::vector<Index> waiting;
-  Index next = 0;
-  while (next < count || !waiting.empty()) {
-    while (next < count && waiting.size() < kLookAhead) waiting.push_back(next++);
-    const auto self = static_cast<Index>(groups.size());
-    LaneGroup& group = groups.emplace_back();
-    group.fill(kNone);
-    int size = 0;
-    std::size_t kept = 0;
-    for (const Index c : waiting) {
-      const std::span<const Index> mine = vertices(c);
-      const bool apart = size < kLanes && std::none_of(mine.begin(), mine.end(), [&](Index v) {
-                           return v != kNone && taken[v] == self;
-                         });
-      if (!apart) {
-        waiting[kept++] = c;
-        continue;
-      }
-      group[size++] = c;
-      for (const Index v : mine) {
-        if (v != kNone) taken[v] = self;
-      }
-    }
-    waiting.resize(kept);
-  }
-  return groups;
-}
-
 std::vector<MembranePack> pack_membrane(std::span<const constraints::MembraneTriangle> triangles,
-                                        std::span<const LaneGroup> groups, std::span<const double> w,
-                                        double h) {
-  const auto nobody = static_cast<Index>(w.size());
+                                        const PackPlan& plan, std::span<const double> w, double h) {
+  const std::vector<LaneGroup>& groups = plan.groups;
   std::vector<MembranePack> packs(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Index nobody = static_cast<Index>(w.size()) + plan.side[g];
     MembranePack& p = packs[g];
     for (int lane = 0; lane < kLanes; ++lane) {
       const bool used = groups[g][lane] != kNone;
@@ -89,11 +54,12 @@ std::vector<MembranePack> pack_membrane(std::span<const constraints::MembraneTri
 }
 
 std::vector<LimitPack> pack_limits(std::span<const constraints::MembraneTriangle> triangles,
-                                   std::span<const LaneGroup> groups, std::span<const double> w) {
+                                   const PackPlan& plan, std::span<const double> w) {
   const bool any =
       std::any_of(triangles.begin(), triangles.end(), [](const constraints::MembraneTriangle& t) {
         return std::max({t.stop[0], t.stop[1], t.stop[2]}) > 0;
       });
+  const std::vector<LaneGroup>& groups = plan.groups;
   std::vector<LimitPack> packs(any ? groups.size() : 0);
   for (std::size_t g = 0; g < packs.size(); ++g) {
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -109,11 +75,12 @@ std::vector<LimitPack> pack_limits(std::span<const constraints::MembraneTriangle
   return packs;
 }
 
-std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles,
-                                   std::span<const LaneGroup> groups, std::span<const double> w) {
-  const auto nobody = static_cast<Index>(w.size());
+std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles, const PackPlan& plan,
+                                   std::span<const double> w) {
+  const std::vector<LaneGroup>& groups = plan.groups;
   std::vector<BendPack> packs(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Index nobody = static_cast<Index>(w.size()) + plan.side[g];
     BendPack& p = packs[g];
     for (int lane = 0; lane < kLanes; ++lane) {
       const bool used = groups[g][lane] != kNone;

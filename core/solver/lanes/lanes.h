@@ -8,17 +8,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "core/base/types.h"
 #include "core/solver/constraints/bend.h"
 #include "core/solver/constraints/membrane.h"
+#include "core/solver/lanes/pack_plan.h"
 
 namespace toile::solver::lanes {
-
-inline constexpr int kLanes = 16;
 
 /// Coefficients side by side.
 struct alignas(64) Lanes {
@@ -34,10 +32,8 @@ struct alignas(32) LanePoint {
 using LaneOffset = std::uint32_t;
 constexpr LaneOffset offset_of(Index v) { return static_cast<LaneOffset>(v) * sizeof(LanePoint); }
 
-/// Constraints of one pack, kNone where it has fewer.
-using LaneGroup = std::array<Index, kLanes>;
-
-/// Lanes without a triangle move a point that is nobody's, behind the vertices, with inverse masses of 0.
+/// Lanes without a triangle move a point that is nobody's, one for each strip of a round behind the vertices,
+/// with inverse masses of 0.
 /// Inverse masses, compliances / h² and what limits take off come divided by the triangle's mobility: as they
 /// are, their products leave the range of a float.
 struct MembranePack {
@@ -62,26 +58,20 @@ struct BendPack {
   Lanes w[6], own[3][2], far[3], response[6], hard;  ///< own: of corners 1 and 2; corner 0 takes what is left
 };
 
-/// Indices of constraints that share no vertex, up to sixteen together, each constraint once; in order, but
-/// for what had to wait. `vertices(i)` lists those of constraint i, kNone for none.
-std::vector<LaneGroup> group_apart(Index count, Index vertex_count,
-                                   const std::function<std::span<const Index>(Index)>& vertices);
-
-/// Packs of triangles that were prepared for inverse masses `w` (1/kg) and substep `h` (s), by groups of
+/// Packs of triangles that were prepared for inverse masses `w` (1/kg) and substep `h` (s), by a plan of
 /// them.
 std::vector<MembranePack> pack_membrane(std::span<const constraints::MembraneTriangle> triangles,
-                                        std::span<const LaneGroup> groups, std::span<const double> w,
-                                        double h);
+                                        const PackPlan& plan, std::span<const double> w, double h);
 /// What the λ of a triangle's lane is divided by.
 double lane_unit(const constraints::MembraneTriangle& triangle, std::span<const double> w);
 /// Empty where no triangle has a limit.
 std::vector<LimitPack> pack_limits(std::span<const constraints::MembraneTriangle> triangles,
-                                   std::span<const LaneGroup> groups, std::span<const double> w);
-std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles,
-                                   std::span<const LaneGroup> groups, std::span<const double> w);
+                                   const PackPlan& plan, std::span<const double> w);
+std::vector<BendPack> pack_bending(std::span<const constraints::BendTriangle> triangles, const PackPlan& plan,
+                                   std::span<const double> w);
 
 /// One Gauss-Seidel pass over packs; `limits` is null where there are none, `x` the positions and nobody's
-/// point behind them. A pass that takes note leaves its λ in `preloads`.
+/// points behind them. A pass that takes note leaves its λ in `preloads`.
 struct LaneKernels {
   void (*solve_membrane)(const MembranePack* packs, const LimitPack* limits, PreloadPack* preloads,
                          std::size_t count, bool takes_note, LanePoint* x);

@@ -11,12 +11,16 @@
 #include "core/solver/constraints/preload.h"
 #include "core/solver/lanes/lanes.h"
 
+namespace toile {
+class Crew;
+}
+
 namespace toile::solver::lanes {
 
-/// Copies of positions that lanes load and store, followed by the point of lanes without a triangle; and
+/// Copies of positions that lanes load and store, followed by the points of lanes without a triangle; and
 /// back.
-void spread(std::span<const Vec3> x, std::vector<LanePoint>& points);
-void collect(std::span<const LanePoint> points, std::span<Vec3> x);
+void spread(std::span<const Vec3> x, std::vector<LanePoint>& points, Crew& crew);
+void collect(std::span<const LanePoint> points, std::span<Vec3> x, Crew& crew);
 
 class MembranePass {
  public:
@@ -26,7 +30,8 @@ class MembranePass {
   void prepare(std::span<const double> w, double h);
   /// One Gauss-Seidel pass over positions x (m).
   /// One that takes note can be learnt from.
-  void solve(std::span<LanePoint> x, bool takes_note = false, const LaneKernels& kernels = lane_kernels());
+  void solve(std::span<LanePoint> x, bool takes_note, Crew& crew,
+             const LaneKernels& kernels = lane_kernels());
   /// Learns from the pass that took note last: `x` (m) is where its step ended, `share` and `at_last` as for
   /// learn_preloads.
   void learn(std::span<const Vec3> x, double share, bool at_last = false);
@@ -47,7 +52,7 @@ class MembranePass {
   std::vector<PreloadPack> preload_packs_;
   std::vector<double> w_;
   double h_ = 0;
-  std::vector<LaneGroup> groups_;
+  PackPlan plan_;
   std::vector<MembranePack> packs_;
   std::vector<LimitPack> limits_;
 };
@@ -57,11 +62,11 @@ class BendPass {
   explicit BendPass(const ClothModel& model);
 
   void prepare(std::span<const double> w, double h);
-  void solve(std::span<LanePoint> x, const LaneKernels& kernels = lane_kernels()) const;
+  void solve(std::span<LanePoint> x, Crew& crew, const LaneKernels& kernels = lane_kernels()) const;
 
  private:
   std::vector<constraints::BendTriangle> triangles_;
-  std::vector<LaneGroup> groups_;
+  PackPlan plan_;
   std::vector<BendPack> packs_;
 };
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "core/base/crew.h"
 #include "core/collision/crossings.h"
 
 namespace toile {
@@ -120,6 +121,62 @@ TEST(Contacts, VerticesMeasuredAtDifferentTimesStillKeepSheetsAndABodyApart) {
       ASSERT_LE(length(sheet.x[v] - contacts.centre[v]), contacts.trust_radius[v] * (1 + 1e-9));
     ASSERT_TRUE(collision::self_crossings(surface, sheet.x).empty()) << "move " << k;
     ASSERT_TRUE(collision::body_crossings(surface, sheet.x, crossing_body).empty()) << "move " << k;
+  }
+}
+
+void expect_same_lists(const collision::Contacts& a, const collision::Contacts& b) {
+  ASSERT_EQ(a.pairs.size(), b.pairs.size());
+  for (std::size_t p = 0; p < a.pairs.size(); ++p) {
+    ASSERT_EQ(a.pairs[p].v, b.pairs[p].v);
+    ASSERT_EQ(a.pairs[p].gone, b.pairs[p].gone);
+  }
+  ASSERT_EQ(a.free_squared, b.free_squared);
+  ASSERT_EQ(a.least_gap, b.least_gap);
+  ASSERT_EQ(a.least_gap_vertex, b.least_gap_vertex);
+  for (std::size_t v = 0; v < a.planes.size(); ++v) {
+    ASSERT_EQ(a.planes[v].size(), b.planes[v].size());
+    for (std::size_t k = 0; k < a.planes[v].size(); ++k) {
+      ASSERT_EQ(a.planes[v][k].n, b.planes[v][k].n);
+      ASSERT_EQ(a.planes[v][k].slack, b.planes[v][k].slack);
+      ASSERT_EQ(a.planes[v][k].pair, b.planes[v][k].pair);
+    }
+  }
+  ASSERT_EQ(a.contacts.size(), b.contacts.size());
+  for (std::size_t k = 0; k < a.contacts.size(); ++k) {
+    ASSERT_TRUE(std::equal(a.contacts[k].v, a.contacts[k].v + 4, b.contacts[k].v));
+    ASSERT_EQ(a.contacts[k].n, b.contacts[k].n);
+    ASSERT_EQ(a.contacts[k].c, b.contacts[k].c);
+  }
+}
+
+TEST(Contacts, AreTheSameHoweverManyThreadsLook) {
+  const std::vector<Vec3> body{{0.1, -0.001, 0.1}, {0, -0.03, 0}, {0.2, -0.03, 0}, {0.1, -0.03, 0.2}};
+  const std::vector<Tri> faces{{1, 2, 3}, {0, 2, 1}, {0, 3, 2}, {0, 1, 3}};
+  const std::vector<collision::Obstacle> obstacles{collision::make_obstacle(body, faces, 0.4, 1e-3)};
+  Sheet sheet;
+  for (const double y : {0.0005, 0.002, 0.0035}) append_sheet(sheet, 20, y);
+  for (Vec3& p : sheet.x) p.x += p.y;
+  const std::size_t count = sheet.x.size();
+  const collision::Surface surface = collision::make_surface(sheet.triangles, static_cast<Index>(count));
+  collision::ContactFinder one(surface, obstacles, {}), several(surface, obstacles, {});
+  Crew alone, crew(3);
+  collision::Contacts of_one, of_several;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> speed(0, 0.6);
+  std::vector<double> speeds(count);
+  for (int k = 0; k < 40; ++k) {
+    for (double& v : speeds) v = speed(random);
+    if (k % 10 == 0) {
+      one.detect(sheet.x, speeds, of_one, alone);
+      several.detect(sheet.x, speeds, of_several, crew);
+    } else {
+      const std::vector<Index> some = some_of(count, random);
+      one.detect_again(some, sheet.x, speeds, of_one, alone);
+      several.detect_again(some, sheet.x, speeds, of_several, crew);
+    }
+    ASSERT_FALSE(of_one.contacts.empty());
+    expect_same_lists(of_one, of_several);
+    move_at_random(of_one, random, 0.004, sheet.x);
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "core/base/crew.h"
+
 namespace toile {
 namespace {
 
@@ -109,13 +111,14 @@ TEST(Crossings, WhatDidNotMoveNeedsNoLook) {
   triangles.resize(200);
   const collision::Surface surface = collision::make_surface(triangles, static_cast<Index>(x.size()));
   collision::CrossingCounter counter(surface);
+  Crew crew(2);
   collision::CrossingPairs itself, with_body;
   std::uniform_int_distribution<std::size_t> any(0, 599);
   for (const int moved : {0, 1, 20, 400, 3, 0}) {  // none, few, most of them
     for (int i = 0; i < moved; ++i) x[any(random)] += Vec3{size(random), size(random), size(random)};
     counter.place(x);
-    itself = counter.with_itself(std::move(itself));
-    with_body = counter.with(body, std::move(with_body));
+    itself = counter.with_itself(std::move(itself), crew);
+    with_body = counter.with(body, std::move(with_body), crew);
     EXPECT_GT(itself.size(), 20u);
     EXPECT_GT(with_body.size(), 20u);
     EXPECT_EQ(itself, collision::self_crossings(surface, x)) << moved;

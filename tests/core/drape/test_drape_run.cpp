@@ -39,6 +39,26 @@ TEST(DrapeRun, GivesTheSameResultHoweverItIsCutIntoGoes) {
   EXPECT_GT(cut.cpu_s, 0) << "the times of all goes";
 }
 
+TEST(DrapeRun, EndsInTheSameBytesOnAnyNumberOfThreads) {
+  drape::DrapeInput input = test::tablecloth();
+  input.settings.particle_distance = 0.007;
+  input.settings.max_time = 0.4;
+  const drape::DrapeResult whole = drape::drape(input, {}, nullptr).value();
+  ASSERT_GT(whole.garment.triangles.size(), 2000u) << "or nobody is given a part";
+  RunContext context;
+  context.threads = 3;
+  const auto run = drape::DrapeRun::start(input, context, nullptr).value();
+  for (int go = 0; !run->done(); ++go) {  // in goes of whom there is
+    context.threads = 1 + go % 4;
+    run->advance(400, context);
+  }
+  const drape::DrapeResult shared = run->conclude();
+  EXPECT_EQ(shared.positions, whole.positions);
+  EXPECT_EQ(shared.steps, whole.steps);
+  EXPECT_EQ(shared.worst.cloth_cloth, whole.worst.cloth_cloth);
+  EXPECT_EQ(shared.frames_checked, whole.frames_checked);
+}
+
 TEST(DrapeRun, StopsBetweenTwoStepsWhenItIsCancelledAndCanGoOn) {
   drape::DrapeInput input = test::tablecloth();
   input.settings.max_time = 0.5;

@@ -53,6 +53,31 @@ TEST(BoxGroups, FindEveryOverlapOnceAlsoAfterRefitting) {
   }
 }
 
+TEST(BoxGroups, PartsVisitWhatTheWholeDoesInItsOrder) {
+  for (const int count : {1, 9, 250, 900}) {
+    const geometry::BoxGroups groups(scattered(count, 3)), other(scattered(120, 4));
+    std::vector<std::pair<Index, Index>> self, found;
+    groups.self_pairs([&](Index p, Index q) { self.emplace_back(p, q); });
+    groups.pairs(other, [&](Index p, Index q) { found.emplace_back(p, q); });
+    for (const std::size_t least : {1u, 2u, 13u, 100000u}) {
+      std::vector<std::pair<Index, Index>> self_in_parts, found_in_parts;
+      for (const geometry::BoxGroups::Part& part : groups.self_parts(least))
+        groups.self_pairs_in(part, [&](Index p, Index q) { self_in_parts.emplace_back(p, q); });
+      const std::vector<geometry::BoxGroups::Part> parts = groups.parts(other, least);
+      for (const geometry::BoxGroups::Part& part : parts)
+        groups.pairs_in(part, other, [&](Index p, Index q) { found_in_parts.emplace_back(p, q); });
+      EXPECT_EQ(self_in_parts, self);
+      EXPECT_EQ(found_in_parts, found);
+      if (count == 900 && least == 13) {
+        EXPECT_GE(parts.size(), least);
+      }
+    }
+  }
+  const geometry::BoxGroups none;
+  EXPECT_TRUE(none.self_parts(4).empty());
+  EXPECT_TRUE(none.parts(none, 4).empty());
+}
+
 TEST(BoxGroups, FindWhatSomeNewBoxesOverlap) {
   std::vector<geometry::Box3> boxes = scattered(250, 3);
   const std::vector<geometry::Box3> elsewhere = scattered(250, 8);

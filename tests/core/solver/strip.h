@@ -1,6 +1,7 @@
 #pragma once
 // Rectangles of cloth for the physics tests: a row of pieces sewn side to side, as the solver sees them.
 
+#include "core/base/crew.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/sewing/assembly.h"
 #include "core/solver/cloth_solver.h"
@@ -73,13 +74,14 @@ template <typename Pass>
 void sweep(Pass& pass, std::vector<Vec3>& x,
            const solver::lanes::LaneKernels& kernels = solver::lanes::lane_kernels()) {
   std::vector<solver::lanes::LanePoint> points;
-  solver::lanes::spread(x, points);
+  Crew alone;
+  solver::lanes::spread(x, points, alone);
   if constexpr (std::is_same_v<Pass, solver::lanes::MembranePass>) {
-    pass.solve(points, false, kernels);
+    pass.solve(points, false, alone, kernels);
   } else {
-    pass.solve(points, kernels);
+    pass.solve(points, alone, kernels);
   }
-  solver::lanes::collect(points, x);
+  solver::lanes::collect(points, x, alone);
 }
 
 }  // namespace toile::test

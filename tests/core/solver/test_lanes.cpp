@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <random>
 
 #include "core/solver/lanes/passes.h"
@@ -37,7 +39,8 @@ Shaken shaken(double strain_limit = 0, double height = 70) {
   return s;
 }
 
-std::vector<Vec3> swept(const Shaken& s, const solver::lanes::LaneKernels& kernels) {
+std::vector<Vec3> swept(const Shaken& s, const solver::lanes::LaneKernels& kernels, int threads = 1) {
+  Crew crew(threads);
   solver::lanes::MembranePass membrane(s.model);
   solver::lanes::BendPass bending(s.model);
   membrane.prepare(s.w, 1.0 / 3000);
@@ -45,11 +48,11 @@ std::vector<Vec3> swept(const Shaken& s, const solver::lanes::LaneKernels& kerne
   std::vector<Vec3> x = s.x;
   std::vector<solver::lanes::LanePoint> points;
   for (int i = 0; i < 20; ++i) {
-    solver::lanes::spread(x, points);
-    membrane.solve(points, i % 2 == 0, kernels);
-    solver::lanes::collect(points, x);
+    solver::lanes::spread(x, points, crew);
+    membrane.solve(points, i % 2 == 0, crew, kernels);
+    bending.solve(points, crew, kernels);
+    solver::lanes::collect(points, x, crew);
     if (i % 2 == 0) membrane.learn(x, 0.1);
-    test::sweep(bending, x, kernels);
   }
   return x;
 }
@@ -104,9 +107,10 @@ TEST(Lanes, LeaveNumbersAndHeldVerticesInPlace) {
 
 TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
   const Shaken s = shaken(0, 140);
-  const auto groups =
-      solver::lanes::group_apart(static_cast<Index>(s.model.triangles.size()), s.model.vertex_count(),
-                                 [&](Index t) { return std::span<const Index>(s.model.triangles[t]); });
+  std::vector<Index> all(s.model.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto groups = solver::lanes::group_apart(
+      all, s.model.vertex_count(), [&](Index t) { return std::span<const Index>(s.model.triangles[t]); });
   std::vector<int> seen(s.model.triangles.size(), 0);
   int lanes = 0;
   for (const solver::lanes::LaneGroup& group : groups) {
@@ -124,10 +128,68 @@ TEST(Lanes, AGroupSharesNoVertexAndEveryConstraintIsInOne) {
       << "packs are nearly full";
 }
 
+/// Two sheets of n × n vertices with their triangles in no order, as sewn pieces have them.
+std::vector<Tri> two_sheets(Index n, std::mt19937& random) {
+  std::vector<Tri> triangles;
+  for (const Index first : {0, n * n}) {
+    for (Index i = 0; i + 1 < n; ++i) {
+      for (Index j = 0; j + 1 < n; ++j) {
+        const Index v = first + i * n + j;
+        triangles.push_back({v, v + 1, v + n});
+        triangles.push_back({v + 1, v + n + 1, v + n});
+      }
+    }
+  }
+  std::shuffle(triangles.begin(), triangles.end(), random);
+  return triangles;
+}
+
+TEST(Lanes, StripsSideBySideShareNoVertexAndEveryConstraintIsInOne) {
+  std::mt19937 random(5);
+  for (const Index n : {20, 90}) {  // what is not worth it, and what is
+    const std::vector<Tri> triangles = two_sheets(n, random);
+    const auto count = static_cast<Index>(triangles.size());
+    const solver::lanes::PackPlan plan = solver::lanes::plan_packs(
+        count, 2 * n * n, [&](Index t) { return std::span<const Index>(triangles[t]); });
+    std::vector<int> seen(triangles.size(), 0);
+    for (const auto& strips : plan.rounds) {
+      std::vector<int> strip_of(static_cast<std::size_t>(2 * n * n), -1);
+      for (std::size_t k = 0; k < strips.size(); ++k) {
+        for (std::size_t g = strips[k].begin; g < strips[k].end; ++g) {
+          EXPECT_EQ(plan.side[g], static_cast<Index>(k));
+          for (const Index t : plan.groups[g]) {
+            if (t == kNone) continue;
+            ++seen[t];
+            for (const Index v : triangles[t]) {
+              EXPECT_TRUE(strip_of[v] == -1 || strip_of[v] == static_cast<int>(k));
+              strip_of[v] = static_cast<int>(k);
+            }
+          }
+        }
+      }
+    }
+    for (const int times : seen) EXPECT_EQ(times, 1);
+    EXPECT_LE(plan.rounds[0].size(), static_cast<std::size_t>(solver::lanes::kMostSideBySide));
+    EXPECT_EQ(plan.rounds[0].size() > 8, n == 90);
+    EXPECT_EQ(plan.rounds[1].empty(), n == 20);
+  }
+}
+
+TEST(Lanes, MakeTheSameBytesOnAnyNumberOfThreads) {
+  const Shaken s = shaken(0, 3600);
+  ASSERT_GT(s.model.triangles.size(), 12000u);
+  const std::vector<Vec3> alone = swept(s, solver::lanes::lane_kernels());
+  for (const int threads : {2, 4}) {
+    const std::vector<Vec3> shared = swept(s, solver::lanes::lane_kernels(), threads);
+    EXPECT_EQ(std::memcmp(alone.data(), shared.data(), alone.size() * sizeof(Vec3)), 0) << threads;
+  }
+}
+
 TEST(Lanes, ConstraintsThatAllShareAVertexStandAlone) {
   const std::vector<Tri> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+  const std::vector<Index> all{0, 1, 2};
   const auto groups =
-      solver::lanes::group_apart(3, 5, [&](Index t) { return std::span<const Index>(fan[t]); });
+      solver::lanes::group_apart(all, 5, [&](Index t) { return std::span<const Index>(fan[t]); });
   ASSERT_EQ(groups.size(), 3u);
   for (Index t = 0; t < 3; ++t) {
     solver::lanes::LaneGroup alone;
