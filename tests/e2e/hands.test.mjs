@@ -131,6 +131,7 @@ describe('hands on the cloth', () => {
     await holdOnceDraping(first);
     await page.goto(`${service.url}/#/jobs/${first}`);
     await waitFor(page, (wanted) => window.__toile.job()?.id === wanted && window.__toile.job().state === 'paused', first);
+    await waitFor(page, () => window.__toile.positions().length > 0); // its frame comes after the word that it is paused
     await page.evaluate(() => {
       window.__lost = 0;
       const look = () => {

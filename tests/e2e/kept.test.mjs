@@ -40,6 +40,8 @@ describe('an ended drape', () => {
     await page.getByText('The project has changed since this drape.').waitFor();
     await waitForCalm(page);
     await shoot(page, 'kept-1-colours');
+    const [strip, view] = await Promise.all([page.locator('.scene-message.docked').boundingBox(), scene(page).boundingBox()]);
+    assert.ok(view.y + view.height <= strip.y + 1, 'what says so stands below the cloth');
     assert.ok(isRed(await colourAtMiddle(page, scene(page))), 'and stays so');
   });
 

@@ -223,6 +223,7 @@ effect(() => {
 });
 effect(() => {
   void state.pieces.value;
+  void state.seenPieces.value;
   void state.project.value;
   untracked(() => void commands.textures.follow());
   // They tell how light plays on the cloth.

@@ -12,6 +12,7 @@ import {
   pictureOf,
   piecesDrawn,
   presetNamed,
+  projectNameOf,
   seamsInReach,
   sourceNames,
   sureness,
@@ -36,6 +37,12 @@ function begin(more: Partial<Api> = {}) {
   state.intake.value = { files: [], plan: null, busy: '', error: null };
   return { state, imports, made };
 }
+
+describe('a project of a file', () => {
+  it('is called by the file, without the ending that all specifications have', () => {
+    expect(['skirt.dxf', 'hoody_specification.json', '_specification.json'].map(projectNameOf)).toEqual(['skirt', 'hoody', '_specification']);
+  });
+});
 
 describe('a pattern that was dropped', () => {
   it('is uploaded and read; sure seams are ticked and torn pieces left out', async () => {

@@ -6,6 +6,7 @@ import {
   alongLine,
   alongSide,
   clash,
+  edgeTitles,
   edgeWords,
   emptyDraft,
   freeSeamId,
@@ -22,6 +23,7 @@ import {
   withEdge,
 } from '../src/state/seamView';
 import { seamOf, squareOf } from './fakes';
+import { fabricOf } from './samples';
 
 const pieces = [squareOf('a', 0, 0, 100), squareOf('b', 200, 0, 100)];
 
@@ -38,9 +40,11 @@ describe('a seam on the pieces', () => {
   it('names edges that nobody named by where they lie on their piece', () => {
     const [a] = pieces;
     expect(a!.edges.map(({ id }) => edgeWords(a, id))).toEqual(['bottom', 'right', 'top', 'left']);
-    const named = { ...a!, edges: a!.edges.map((edge) => ({ ...edge, id: 'waist' })) };
+    const named = { ...a!, edges: [{ ...a!.edges[0]!, id: 'waist' }] };
     expect(edgeWords(named, 'waist')).toBe('waist');
     expect(edgeWords(undefined, 'e1')).toBe('e1');
+    const split = { ...a!, edges: [a!.edges[0]!, { ...a!.edges[0]!, id: 'e7' }, a!.edges[1]!] };
+    expect([...edgeTitles(split).values()]).toEqual(['bottom (1)', 'bottom (2)', 'right']);
     const side = seamOf('s', ['a', 'e1'], ['b', 'e3']);
     expect(`${seriesText(side.a, pieces)} to ${seriesText(side.b, pieces)}`).toBe('a · right to b · left');
   });
@@ -172,7 +176,7 @@ describe('the history', () => {
     edits: [editOf(edit, { piece: 'front', edge: 'hem' })],
   });
 
-  const nobody: Known = { pieces: [], seams: new Map() };
+  const nobody: Known = { pieces: [], seams: new Map(), fabrics: [] };
 
   it('says what undo and redo would do', () => {
     expect(turnsOf([], nobody)).toEqual({ undo: null, redo: null });
@@ -189,10 +193,19 @@ describe('the history', () => {
     expect(stepText([editOf('restore', { bodies: {} })], nobody)).toBe('Change body');
   });
 
+  it('says which fabric was chosen', () => {
+    const known: Known = { ...nobody, fabrics: [fabricOf('denim', { title: 'Denim' })] };
+    const cut = (piece: string, fabric = 'denim'): Edit => editOf('set_fabric', { piece, fabric });
+    expect(stepText([cut('front')], known)).toBe('Change fabric, front: Denim');
+    expect(stepText([cut('front'), cut('back')], known)).toBe('Change fabric × 2: Denim');
+    expect(stepText([cut('front'), cut('back', 'own')], known)).toBe('Change fabric × 2');
+    expect(stepText([cut('front', 'own')], known)).toBe('Change fabric, front: own');
+  });
+
   it('names seams and edges as a pattern maker does, also those that are gone', () => {
     const pieces = [squareOf('front', 0, 0, 100), squareOf('back', 200, 0, 100)];
     const sides = seamOf('seam12', ['front', 'e1'], ['back', 'e3']);
-    const known: Known = { pieces, seams: new Map([[sides.id, sides], ['yoke', seamOf('yoke', ['front', 'e2'], ['back', 'e2'])]]) };
+    const known: Known = { pieces, seams: new Map([[sides.id, sides], ['yoke', seamOf('yoke', ['front', 'e2'], ['back', 'e2'])]]), fabrics: [] };
     const reversed = (seam: string): string => stepText([editOf('reverse_seam', { seam })], known);
     expect(reversed('seam12')).toBe('Reverse seam, front · right to back · left');
     expect(reversed('yoke')).toBe('Reverse seam, yoke');

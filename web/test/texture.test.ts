@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Api } from '../src/api/Api';
-import type { Edit, Texture } from '../src/api/types';
+import type { Edit, EditStep, Texture } from '../src/api/types';
 import { Commands } from '../src/commands/Commands';
 import { EditQueue } from '../src/commands/EditQueue';
 import { TextureCommands } from '../src/commands/TextureCommands';
@@ -12,13 +12,12 @@ import {
   fillRepeats,
   looksOf,
   nameInProject,
-  onCloth,
   patternTransform,
   pictureFrame,
   repeatsAt,
   textureEdits,
 } from '../src/state/texture';
-import { fakeApi, projectOf, seenOf, squareOf } from './fakes';
+import { fakeApi, jobOf, projectOf, seenOf, squareOf } from './fakes';
 
 const kChecks: Texture = { image: 'checks.png', scale_mm: 40, offset: [0, 0], angle: 0 };
 const picture = { url: 'assets/a_1', width: 200, height: 100, image: null as unknown as CanvasImageSource };
@@ -58,8 +57,6 @@ describe('a picture on a flat piece', () => {
     const looks = looksOf(pieces, project, new Map([['a_1', picture]]));
     expect([...looks.keys()]).toEqual(['a']);
     near(repeatsAt(looks.get('a')!.frame, [0, 20]), [0, 1]); // twice as wide as high
-    expect(onCloth(looks, []).get('a')).toEqual(looks.get('a'));
-    expect(onCloth(looks, [seenOf('a', { colour: [0, 0, 1] })]).get('a')?.colour).toEqual([0, 0, 1]);
   });
 });
 
@@ -194,6 +191,33 @@ describe('the pictures of the shown pieces', () => {
     state.pieces.value = null;
     await textures.follow();
     expect(state.pictures.value.size).toBe(0);
+  });
+});
+
+describe('the pictures on the cloth of an ended drape', () => {
+  const step = (edit: string, created_ms: number): EditStep => ({ number: 1, undone: false, created_ms, edits: [{ edit } as Edit] });
+  const scales = (state: AppState): number[] => [...state.clothLooks.value.values()].map(({ texture }) => texture.scale_mm);
+
+  it('are those that it was draped with, but for what is laid on the newest one', async () => {
+    const { state, textures, loaded } = begin();
+    const wide = { ...kChecks, image: 'wide.png', scale_mm: 300 };
+    state.projects.value = ready([projectOf({ revision: 2, files: { 'checks.png': 'a_1', 'wide.png': 'a_2' } })]);
+    state.pieces.value = ready({ pieces: [{ ...squareOf('a', 0, 0, 9), texture: wide }], seams: [] });
+    const drape = jobOf({ state: 'succeeded', created_ms: 5 });
+    state.jobs.value = ready([drape]);
+    state.route.value = { name: 'job', id: drape.id };
+    state.seenPieces.value = ready({ pieces: [seenOf('a', { texture: kChecks })], fabrics: [] });
+    await textures.follow();
+    expect(loaded).toEqual(['assets/a_2', 'assets/a_1']);
+    state.editing.history.value = [step('set_texture', 6)];
+    expect(scales(state)).toEqual([300]);
+    state.editing.history.value = [step('set_fabric', 7), step('set_texture', 6)];
+    expect(scales(state)).toEqual([kChecks.scale_mm]);
+    state.editing.history.value = [step('set_texture', 6)];
+    state.jobs.value = ready([jobOf({ id: 'j_later', created_ms: 7 }), drape]);
+    expect(scales(state)).toEqual([kChecks.scale_mm]);
+    state.seenPieces.value = null;
+    expect(scales(state)).toEqual([300]);
   });
 });
 

@@ -16,9 +16,8 @@ namespace {
 
 /// Distance from the outline, 0 inside; nothing when the text stands too far beside the piece to belong to
 /// it.
-std::optional<double> nearness(const DxfPiece& piece, const Aabb2& box, Vec2 at) {
-  constexpr double kTextReach = 20;  // mm
-  if (!box.grown(kTextReach).contains(at)) return std::nullopt;
+std::optional<double> nearness(const DxfPiece& piece, const Aabb2& box, Vec2 at, double reach) {
+  if (!box.grown(reach).contains(at)) return std::nullopt;
   if (geometry::contains(piece.outline, at)) return 0.0;
   double nearest = length(piece.outline[0] - at);
   for (std::size_t i = 0, n = piece.outline.size(); i < n; ++i)
@@ -138,11 +137,19 @@ struct Nearest {
   double off = 0;  ///< mm
 };
 
+/// How far beside a piece a text may stand that is so high, mm. By its height it reaches as far whatever unit
+/// the drawing is taken in.
+double reach_of(double height) {
+  constexpr double kReach = 20;   // mm
+  constexpr double kHeights = 4;  // of the text
+  return std::max(kReach, kHeights * height);
+}
+
 std::optional<Nearest> nearest_piece(const std::vector<DxfFound>& pieces, const std::vector<Aabb2>& boxes,
-                                     Vec2 at) {
+                                     Vec2 at, double reach) {
   std::optional<Nearest> nearest;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::optional<double> off = nearness(pieces[i].piece, boxes[i], at);
+    const std::optional<double> off = nearness(pieces[i].piece, boxes[i], at, reach);
     if (off && (!nearest || *off < nearest->off)) nearest = Nearest{i, *off};
   }
   return nearest;
@@ -185,7 +192,9 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
     named.notes.mark(text.entity, DxfFate::kDropped,
                      statement ? "says nothing of a piece's shape" : "a label");
     if (t >= kMostTexts) continue;
-    const std::optional<Nearest> nearest = nearest_piece(named.pieces, boxes, to_mm(text.at));
+    const double height = length(to_mm.turned({0, text.height}));
+    const std::optional<Nearest> nearest =
+        nearest_piece(named.pieces, boxes, to_mm(text.at), reach_of(height));
     if (!nearest) continue;
     Title title = title_of(text, statement);
     title.off = nearest->off;

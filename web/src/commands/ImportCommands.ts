@@ -3,7 +3,7 @@
 import type { Api } from '../api/Api';
 import type { Asset, Import, Layer, LayerRole, Project, Unit } from '../api/types';
 import { loading, ready, valueOf, type AppState } from '../state/AppState';
-import { documentOf, namesPattern, presetNamed, seamsInReach, type BodyChoice, type ImportDraft } from '../state/importDraft';
+import { documentOf, namesPattern, presetNamed, projectNameOf, seamsInReach, type BodyChoice, type ImportDraft } from '../state/importDraft';
 import type { LoosePattern } from '../state/intake';
 import { sewnTogether, ticked, toWear } from '../state/seamView';
 import { stem } from '../state/words';
@@ -48,7 +48,7 @@ export class ImportCommands {
       chosen: new Set(),
       body: newestBody(source) ?? kMannequin,
       bodyTaken: source.bodies.length > 0,
-      name: stem(source.file.name),
+      name: projectNameOf(source.file.name),
       bodies: [],
       presets: [],
       error: null,

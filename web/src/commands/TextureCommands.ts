@@ -35,21 +35,27 @@ export class TextureCommands {
       .map((piece) => (now.has(piece.id) ? { ...piece, texture: now.get(piece.id)! } : piece));
   }
 
+  /** Those of the pieces, as they are now and as the shown drape has them. */
+  private get wanted(): string[] {
+    const { pieces, seenPieces, project } = this.state_;
+    const all = [pieces.value, seenPieces.value].flatMap((some) => valueOf<{ pieces: readonly Pick<Piece, 'texture'>[] }>(some ?? loading)?.pieces ?? []);
+    return assetsShown(all, project.value);
+  }
+
   /** Loads the pictures that the shown pieces have, and lets go of others. */
   async follow(): Promise<void> {
-    const { pieces, project, pictures } = this.state_;
-    const wanted = assetsShown(valueOf(pieces.value ?? loading)?.pieces ?? [], project.value);
+    const { pictures } = this.state_;
+    const wanted = this.wanted;
     const kept = [...pictures.value].filter(([id]) => wanted.includes(id));
     if (kept.length < pictures.value.size) pictures.value = new Map(kept);
     await Promise.all(wanted.filter((id) => !pictures.value.has(id)).map((id) => this.load(id)));
   }
 
   private async load(asset: string): Promise<void> {
-    const { pieces, project, pictures } = this.state_;
+    const { pictures } = this.state_;
     try {
       const picture = await this.load_(this.api_.assetUrl(asset));
-      const now = assetsShown(valueOf(pieces.value ?? loading)?.pieces ?? [], project.value);
-      if (now.includes(asset)) pictures.value = new Map([...pictures.value, [asset, picture]]);
+      if (this.wanted.includes(asset)) pictures.value = new Map([...pictures.value, [asset, picture]]);
     } catch {
       notify(this.state_, { tone: 'bad', text: t.messages.pictureLost, where: asset });
     }

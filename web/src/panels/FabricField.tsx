@@ -5,7 +5,7 @@ import { useEffect, useId } from 'preact/hooks';
 import type { EditOf, Fabric, Piece } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
-import { fabricsFound, figuresOf, handOf, makeOf, originOf, stiffness, type Kind } from '../state/fabrics';
+import { fabricTitle, fabricsFound, figuresOf, handOf, makeOf, originOf, stiffness, type Kind } from '../state/fabrics';
 import { FabricSwatch } from './FabricSwatch';
 import { t } from '../texts/language';
 
@@ -29,7 +29,7 @@ export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
         {names.length > 1 && <span class="head-note">{t.fabric.differ}</span>}
       </h3>
       <div class="fabric-now">
-        {known ? <Card fabric={known} /> : <p class="fabric-own">{names.map((name) => titleOf(name, fabrics.value)).join(', ') || t.common.nothing}</p>}
+        {known ? <Card fabric={known} /> : <p class="fabric-own">{names.map((name) => fabricTitle(name, fabrics.value)).join(', ') || t.common.nothing}</p>}
         <button class="plain" aria-expanded={isOpen.value} onClick={() => (isOpen.value = !isOpen.value)}>
           {isOpen.value ? t.fabric.keep : t.fabric.change}
         </button>
@@ -39,9 +39,6 @@ export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
     </section>
   );
 }
-
-/** A document's own fabrics have no card, and are called by their name there. */
-const titleOf = (name: string, fabrics: readonly Fabric[]): string => fabrics.find((one) => one.name === name)?.title ?? name;
 
 /** Of those that are cut of another one. */
 const cutOf = (pieces: readonly Piece[], fabric: string): EditOf<'set_fabric'>[] =>

@@ -1,7 +1,7 @@
-import { useCommands } from '../commands/context';
 import { bindings, shownKey } from '../tools/keys';
 import { useAppState } from '../state/context';
 import { Sheet } from '../controls/Sheet';
+import { TourButton } from './TourButton';
 import { t } from '../texts/language';
 
 /** The keys, from the table that handles them. */
@@ -57,17 +57,5 @@ function Dialog({ close }: { close: () => void }) {
         </section>
       </div>
     </Sheet>
-  );
-}
-
-/** Where there is something to be led around in. */
-function TourButton() {
-  const { atWork } = useAppState();
-  const { tours } = useCommands();
-  if (!atWork.value) return null;
-  return (
-    <button class="plain" onClick={() => tours.begin()}>
-      {t.tour.again}
-    </button>
   );
 }

@@ -7,7 +7,7 @@ import { useAppState } from '../state/context';
 import { findPart, type Part } from '../state/editing';
 import { isStraight, nearestOn, nextEdge, notchAt } from '../state/outline';
 import { boxOf, insideOf } from '../state/patternGeometry';
-import { seamColour, seamsOfEdge, seamTitle } from '../state/seamView';
+import { edgeTitles, edgeWords, seamColour, seamsOfEdge, seamTitle } from '../state/seamView';
 import { NumberField } from '../controls/NumberField';
 import { points } from '../tools/points';
 import { patternFigure, patternLength } from '../texts/units';
@@ -145,12 +145,13 @@ function EdgeChips({ piece }: { piece: Piece }) {
     commands.pattern.takeTool(points);
     commands.pattern.selectPart({ kind: 'edge', piece: piece.id, edge });
   };
+  const titles = edgeTitles(piece);
   return (
     <ul class="edge-chips" aria-label={t.pattern.edgesOf(piece.id)}>
       {piece.edges.map((edge) => (
         <li key={`${edge.loop} ${edge.id}`}>
           <button class="part" title={patternLength(edge.length_mm)} onClick={() => pick(edge.id)}>
-            {edge.id} <small>{patternFigure(edge.length_mm, 0)}</small>
+            {titles.get(edge.id)} <small>{patternFigure(edge.length_mm, 0)}</small>
           </button>
         </li>
       ))}
@@ -194,8 +195,9 @@ function PointFigures({ piece, part, edge, at }: PointFiguresProps) {
         ? { edit: 'move_handle', piece: part.piece, edge: part.edge, curve: part.curve, handle: part.handle, to }
         : { edit: 'move_point', piece: part.piece, edge: part.edge, point: part.point, to },
     );
+  const words = edgeWords(piece, edge.id);
   const name =
-    part.kind === 'handle' ? t.pattern.handleOf(edge.id) : part.point === 0 ? t.pattern.cornerOf(edge.id) : t.pattern.pointOf(edge.id);
+    part.kind === 'handle' ? t.pattern.handleOf(words) : part.point === 0 ? t.pattern.cornerOf(words) : t.pattern.pointOf(words);
   return (
     <>
       <h3>{name}</h3>
@@ -223,14 +225,15 @@ type Keep = (typeof kKeep)[number];
 
 function EdgeFigures({ piece, edge, pieces, part }: { piece: Piece; edge: PieceEdge; pieces: Pieces; part: Part }) {
   const { pattern } = useCommands();
+  const words = edgeWords(piece, edge.id);
   return (
     <>
       <h3 class="edge-head">
         {t.pattern.edge}
         <NameField
-          key={edge.id}
+          key={`${edge.id} ${words}`}
           label={t.pattern.edgeName}
-          name={edge.id}
+          name={words}
           take={(to) => void pattern.renameEdge(piece.id, edge.id, to)}
         />
         <span class="head-note">{edgeKind(edge)}</span>
@@ -283,7 +286,7 @@ function EdgeButtons({ piece, edge, part }: { piece: Piece; edge: PieceEdge; par
       </button>
       {next && (
         <button class="plain" onClick={() => void pattern.joinWithNext(piece.id, edge.id)}>
-          {t.pattern.joinWith(next.id)}
+          {t.pattern.joinWith(edgeWords(piece, next.id))}
         </button>
       )}
       {part.kind !== 'edge' && (

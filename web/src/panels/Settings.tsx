@@ -5,6 +5,7 @@ import { Icon } from '../controls/Icon';
 import { Sheet } from '../controls/Sheet';
 import type { Language } from '../texts/grammar';
 import { chooseLanguage, language, languageNames, t } from '../texts/language';
+import { TourButton } from './TourButton';
 import { chooseUnit, lengthUnits, unit } from '../texts/units';
 
 /** The button, and what it opens. */
@@ -28,7 +29,7 @@ export function Settings() {
 
 function Dialog({ close }: { close: () => void }) {
   return (
-    <Sheet class="settings" id="settings-title" title={t.frame.settings.title} close={close}>
+    <Sheet class="settings" id="settings-title" title={t.frame.settings.title} beside={<TourButton class="phone-only" begun={close} />} close={close}>
       <div class="sheet-body">
         <Languages />
         <Units />

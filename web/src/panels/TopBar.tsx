@@ -37,7 +37,7 @@ export function TopBar() {
       {state.session.value?.accounts && <LogOut name={state.session.value.name ?? ''} />}
       <Settings />
       <button
-        class="tool flat"
+        class="tool flat keys-open"
         title={t.frame.keysTip}
         aria-label={t.frame.shortcuts}
         onClick={() => (state.helpShown.value = true)}
@@ -117,8 +117,8 @@ function GoOn({ offline }: { offline: boolean }) {
   const commands = useCommands();
   return (
     <>
-      <button class="plain" disabled={offline} onClick={() => void commands.act('step')} title={t.frame.stepKey}>
-        <Icon name="step" /> {t.frame.step}
+      <button class="plain" aria-label={t.frame.step} disabled={offline} onClick={() => void commands.act('step')} title={t.frame.stepKey}>
+        <Icon name="step" /> <span class="label">{t.frame.step}</span>
       </button>
       <button class="primary" disabled={offline} onClick={() => void commands.act('resume')} title={t.frame.resumeKey}>
         <Icon name="play" /> {t.frame.resume}
@@ -134,8 +134,8 @@ function UnderWay({ offline }: { offline: boolean }) {
   return (
     <>
       {can.cancel && (
-        <button class="plain" disabled={offline} onClick={() => void commands.act('cancel')}>
-          <Icon name="stop" /> {t.common.cancel}
+        <button class="plain" aria-label={t.common.cancel} disabled={offline} onClick={() => void commands.act('cancel')}>
+          <Icon name="stop" /> <span class="label">{t.common.cancel}</span>
         </button>
       )}
       {can.pause && (

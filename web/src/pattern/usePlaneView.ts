@@ -12,6 +12,9 @@ const kWheelStep = 1.0015;
 const kToolsPx = 34;
 /** And that the note and the buttons of the view take. */
 const kNotePx = 38;
+/** Both are higher where fingers press them, as styles/touch.css says. */
+const kFinger = '--finger';
+const fingerPx = (of: Element | null): number => (of && parseFloat(getComputedStyle(of).getPropertyValue(kFinger))) || 0;
 const kPanKeys: Record<string, [number, number]> = {
   arrowleft: [40, 0],
   arrowright: [-40, 0],
@@ -43,7 +46,8 @@ export function usePlaneView(boxes: () => readonly Box[], subject: () => string 
     const all = boxes();
     if (all.length === 0) return;
     touched.current = false;
-    view.value = fit(joined(all), size.value.width, size.value.height, 22, kToolsPx, kNotePx);
+    const more = fingerPx(svg.current);
+    view.value = fit(joined(all), size.value.width, size.value.height, 22, kToolsPx + more, kNotePx + more);
   };
   useSignalEffect(() => {
     void size.value;

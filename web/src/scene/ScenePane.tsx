@@ -108,17 +108,19 @@ function ViewTools({ hands }: { hands: boolean }) {
   const commands = useCommands();
   return (
     <div class="scene-tools" role="toolbar" aria-label={t.scene.views}>
-      {kViews.map(({ view, key }) => (
-        <button
-          key={view}
-          class="tool"
-          onClick={() => commands.showView(view)}
-          title={`${capital(t.scene.viewNames[view])} (${key})`}
-          aria-label={t.scene.viewNames[view]}
-        >
-          {t.scene.views_[view]}
-        </button>
-      ))}
+      <span class="scene-views">
+        {kViews.map(({ view, key }) => (
+          <button
+            key={view}
+            class="tool"
+            onClick={() => commands.showView(view)}
+            title={`${capital(t.scene.viewNames[view])} (${key})`}
+            aria-label={t.scene.viewNames[view]}
+          >
+            {t.scene.views_[view]}
+          </button>
+        ))}
+      </span>
       <span class="tool-gap" />
       <Toggle on={bodyShown.value} title={t.scene.bodyKey} label={t.scene.body} flip={() => (bodyShown.value = !bodyShown.value)} />
       <Toggle on={meshShown.value} title={t.scene.meshKey} label={t.scene.mesh} flip={() => (meshShown.value = !meshShown.value)} />
@@ -185,7 +187,7 @@ function Toggle({ on, title, label, flip }: { on: boolean; title: string; label:
 
 function Message({ title, text, children }: { title: string; text: string; children?: preact.ComponentChildren }) {
   return (
-    <div class={`scene-message${text ? '' : ' compact'}`}>
+    <div class={`scene-message${text ? '' : ' compact docked'}`}>
       <h2>{title}</h2>
       {text && <p>{text}</p>}
       {children}
@@ -241,7 +243,7 @@ function Older() {
   const state = useAppState();
   const commands = useCommands();
   return (
-    <div class="scene-message strip" role="status">
+    <div class="scene-message strip docked older" role="status">
       <p>{t.scene.changed}</p>
       <button class="plain" disabled={state.submitting.value} onClick={() => void commands.startDrape()}>
         {t.common.drapeAgain}
@@ -255,7 +257,7 @@ function Outdated() {
   const state = useAppState();
   const commands = useCommands();
   return (
-    <div class="scene-message strip" role="status">
+    <div class={`scene-message strip${state.goesOnWarm.value ? '' : ' docked'}`} role="status">
       <p>{state.goesOnWarm.value ? t.scene.takesOver : t.scene.changed}</p>
       {!state.goesOnWarm.value && (
         <button class="plain" disabled={state.submitting.value} onClick={() => void commands.goOn()}>
@@ -270,7 +272,7 @@ function Outdated() {
 function Ended({ title, text }: { title: string; text: string }) {
   const { tab } = useAppState();
   return (
-    <div class="scene-message strip">
+    <div class="scene-message strip docked">
       <h2>{title}</h2>
       <p>{text}</p>
       {tab.value !== 'drape' && (

@@ -22,7 +22,7 @@ import { SectionState } from './SectionState';
 import { stepText, withSewn, type Known } from './steps';
 import { SweepState } from './sweeps';
 import { seamParts, type SeamPart } from './seamView';
-import { looksOf, onCloth, type Look } from './texture';
+import { isOfPrints, looksOf, type Look } from './texture';
 import { standsAs, VersionState } from './versions';
 
 /** Something that is fetched. */
@@ -187,10 +187,21 @@ export class AppState {
     this.beforeDrape.value ? null : valueOf(this.seenPieces.value ?? loading),
   );
 
-  /** Pictures on the cloth of the 3D view: they lie there as the project has them now, since no drape depends on them. */
-  readonly clothLooks: ReadonlySignal<ReadonlyMap<string, Look>> = computed(() =>
-    onCloth(this.looks.value, this.draped_.value?.pieces ?? []),
-  );
+  /** Since the newest drape nothing but pictures on pieces was changed. */
+  private readonly onlyPrinted_: ReadonlySignal<boolean> = computed(() => {
+    const { job, project, allJobs, editing } = this;
+    if (!job.value || newestJobOf(allJobs.value, job.value.project_id)?.id !== job.value.id) return false;
+    const created = job.value.created_ms;
+    const steps = editing.history.value.filter((step) => step.created_ms > created && !step.undone);
+    return steps.length > 0 && project.value !== null && steps.every(({ edits }) => edits.every(isOfPrints));
+  });
+
+  /** Pictures on the cloth of the 3D view: those of its drape. What is laid on the newest one is seen on it at once. */
+  readonly clothLooks: ReadonlySignal<ReadonlyMap<string, Look>> = computed(() => {
+    const draped = this.draped_.value;
+    if (!draped || this.onlyPrinted_.value) return this.looks.value;
+    return looksOf(draped.pieces, this.project.value, this.pictures.value);
+  });
 
   /** How light plays on that cloth, by the piece's id; pieces of fabrics that nothing is known of are left out. */
   readonly finishes: ReadonlySignal<ReadonlyMap<string, Finish>> = computed(() => {
@@ -249,9 +260,9 @@ export class AppState {
 
   /** What the steps of the history are about. */
   readonly known: ReadonlySignal<Known> = computed(() => {
-    const { history, seamsSeen } = this.editing;
+    const { fabrics, history, seamsSeen } = this.editing;
     const pieces = valueOf(this.pieces.value ?? loading)?.pieces ?? [];
-    return withSewn({ pieces, seams: seamsSeen.value }, history.value);
+    return withSewn({ pieces, seams: seamsSeen.value, fabrics: fabrics.value }, history.value);
   });
 
   /** What was done to the project after its drape had begun, newest first; null while the drape is as new as the project. */

@@ -113,6 +113,10 @@ export function originOf({ sources }: Fabric): string {
   return measured === sources.length ? t.fabric.published : t.fabric.mixed;
 }
 
+/** A document's own fabrics have no card, and are called by their name there. */
+export const fabricTitle = (name: string, fabrics: readonly Fabric[]): string =>
+  fabrics.find((one) => one.name === name)?.title ?? name;
+
 export type Kind = 'all' | 'woven' | 'knit' | 'other';
 
 /** Those of a kind in which every word is found, lightest first. */

@@ -94,6 +94,9 @@ const kLetters: Record<'eu' | 'm', Record<string, number>> = {
   m: { xs: 44, s: 46, m: 50, l: 52, xl: 54, xxl: 56 },
 };
 
+/** What a project of this file is called: GarmentCode ends the names of its files alike. */
+export const projectNameOf = (file: string): string => stem(file).replace(/(.)_specification$/, '$1');
+
 /** The table's size that a file names, in its name before its own "sample size"; empty: it names none of the table. */
 export function presetNamed(report: Import, presets: readonly { id: string }[]): string {
   // "aMaleAdult38" is three words and a number.

@@ -141,10 +141,25 @@ const kAside = 0.45;
 
 /** An edge as a person would call it: its name, or where its middle lies on the piece as it is drawn. */
 export function edgeWords(piece: Piece | undefined, id: string): string {
-  const edge = piece?.edges.find((one) => one.id === id);
-  if (!piece || !edge || !kGivenEdge.test(id)) return id;
+  return (piece && edgeTitles(piece).get(id)) ?? id;
+}
+
+/** Of all edges of a piece; those that lie at the same place are counted. */
+export function edgeTitles(piece: Piece): ReadonlyMap<string, string> {
+  const places = piece.edges.map((edge) => placeOf(piece, edge));
+  const all = new Map<string, number>();
+  for (const place of places) all.set(place, (all.get(place) ?? 0) + 1);
+  const met = new Map<string, number>();
+  const titles = places.map((place) => {
+    met.set(place, (met.get(place) ?? 0) + 1);
+    return all.get(place)! > 1 ? `${place} (${met.get(place)})` : place;
+  });
+  return new Map(piece.edges.map((edge, i) => [edge.id, titles[i]!]));
+}
+
+function placeOf(piece: Piece, edge: PieceEdge): string {
   const middle = alongLine(edge.points, 0.5)?.at ?? edge.points[0];
-  if (!middle) return id;
+  if (!kGivenEdge.test(edge.id) || !middle) return edge.id;
   const { minX, maxX, minY, maxY } = boxOf(piece.outline);
   const { top, bottom, left, right, middle: between } = t.pattern.sides;
   const words = [aside(middle[1], minY, maxY, bottom, top), aside(middle[0], minX, maxX, left, right)];

@@ -1,6 +1,7 @@
 // Steps of the history in words, as a pattern maker calls what they are about. Pure.
 
-import type { Edit, EditStep, Piece, SeamSides } from '../api/types';
+import type { Edit, EditStep, Fabric, Piece, SeamSides } from '../api/types';
+import { fabricTitle } from './fabrics';
 import { edgeWords, isGivenSeam, seamWords } from './seamView';
 import { t } from '../texts/language';
 
@@ -8,6 +9,8 @@ import { t } from '../texts/language';
 export interface Known {
   pieces: readonly Piece[];
   seams: ReadonlyMap<string, SeamSides>;
+  /** Of the library, once they are there. */
+  fabrics: readonly Fabric[];
 }
 
 /** With the seams that the history itself tells of. */
@@ -38,6 +41,12 @@ function whatOf(edit: Edit, known: Known): string {
   return [on.piece, edge].filter((word) => typeof word === 'string').join(' · ');
 }
 
+/** The fabric that all the edits change to; empty: they change to none, or not to one alone. */
+function fabricOf(edits: readonly Edit[], { fabrics }: Known): string {
+  const names = new Set(edits.map((edit) => (edit.edit === 'set_fabric' ? edit.fabric : '')));
+  return names.size === 1 ? fabricTitle([...names][0]!, fabrics) : '';
+}
+
 /** A step of the history in a few words. */
 export function stepText(edits: readonly Edit[], known: Known): string {
   const first = edits[0];
@@ -45,9 +54,11 @@ export function stepText(edits: readonly Edit[], known: Known): string {
   if (first.edit === 'restore') return restoreText(first);
   const words = (t.edits.kinds as Record<string, string>)[first.edit] ?? first.edit.replace(/_/g, ' ');
   const same = edits.every((edit) => edit.edit === first.edit);
-  if (edits.length > 1) return same ? `${words} × ${edits.length}` : t.edits.andMore(words, edits.length - 1);
-  const what = whatOf(first, known);
-  return what ? `${words}, ${what}` : words;
+  if (edits.length > 1 && !same) return t.edits.andMore(words, edits.length - 1);
+  const what = edits.length > 1 ? '' : whatOf(first, known);
+  const all = edits.length > 1 ? `${words} × ${edits.length}` : what ? `${words}, ${what}` : words;
+  const fabric = fabricOf(edits, known);
+  return fabric ? `${all}: ${fabric}` : all;
 }
 
 /** What Ctrl+Z and Ctrl+Shift+Z would do; null where there is nothing. */

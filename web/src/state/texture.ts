@@ -1,7 +1,7 @@
 // Pictures on pieces: how they lie on the flat cloth, as the service lays them too. Pure; millimetres unless it says so.
 
 import type { Picture } from '../api/pictures';
-import type { EditOf, Piece, Point, Project, Texture } from '../api/types';
+import type { Edit, EditOf, Piece, Point, Project, Texture } from '../api/types';
 
 /** The service takes so many edits at once. */
 export const kMostEdits = 200;
@@ -59,14 +59,14 @@ export function patternTransform(grain: Point | null, texture: Texture): string 
 }
 
 /** Ids of the files that the pieces show. */
-export function assetsShown(pieces: readonly Piece[], project: Project | null): string[] {
+export function assetsShown(pieces: readonly Pick<Piece, 'texture'>[], project: Project | null): string[] {
   const ids = pieces.flatMap(({ texture }) => (texture ? (project?.files[texture.image] ?? []) : []));
   return [...new Set(ids)];
 }
 
 /** Of each piece with a picture that is there. */
 export function looksOf(
-  pieces: readonly Piece[],
+  pieces: readonly Pick<Piece, 'id' | 'texture' | 'grain' | 'colour'>[],
   project: Project | null,
   pictures: ReadonlyMap<string, Picture>,
 ): ReadonlyMap<string, Look> {
@@ -81,11 +81,8 @@ export function looksOf(
   return looks;
 }
 
-/** The same pictures on cloth of other colours: that of a drape, whose fabric may have been changed since. */
-export function onCloth(looks: ReadonlyMap<string, Look>, cloth: readonly Pick<Piece, 'id' | 'colour'>[]): ReadonlyMap<string, Look> {
-  const colours = new Map(cloth.map(({ id, colour }) => [id, colour]));
-  return new Map([...looks].map(([id, look]) => [id, { ...look, colour: colours.get(id) ?? look.colour }]));
-}
+/** Whether an edit changes nothing but a picture on a piece. */
+export const isOfPrints = ({ edit }: Edit): boolean => edit === 'set_texture';
 
 /** The name under which a project has a file, or one that is free there. */
 export function nameInProject(files: Readonly<Record<string, string>>, name: string, asset: string): string {

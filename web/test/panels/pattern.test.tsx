@@ -140,7 +140,7 @@ describe('a selected piece', () => {
   });
 
   it('has its edges as buttons, which take the points tool', () => {
-    click(within(screen.getByRole('list', { name: 'Edges of a' })).getByRole('button', { name: /e2/ }));
+    click(within(screen.getByRole('list', { name: 'Edges of a' })).getByRole('button', { name: /top/ }));
     expect(page.asked()).toEqual([
       ['pattern.takeTool', points],
       ['pattern.selectPart', { kind: 'edge', piece: 'a', edge: 'e2' }],
@@ -172,7 +172,7 @@ describe('a selected edge', () => {
   });
 
   it('has a button for each thing that is done with an edge', () => {
-    for (const name of ['Make a curve', 'Insert point', 'Split in the middle', 'Join with e2']) click(button(name));
+    for (const name of ['Make a curve', 'Insert point', 'Split in the middle', 'Join with top']) click(button(name));
     expect(page.asked()).toEqual([
       ['pattern.bendOrStraighten', 'a', 'e1'],
       ['edits.send', { edit: 'insert_point', piece: 'a', edge: 'e1', at: 0.5 }],
@@ -201,7 +201,7 @@ describe('a selected point', () => {
   it('is moved by numbers and deleted', () => {
     page.change((state) => (state.editing.part.value = corner));
     page.show(<SelectionPanel pieces={two()} />);
-    expect(screen.getByRole('heading', { name: 'Corner of e1' })).toBeTruthy();
+    expect(screen.getByRole('heading', { name: 'Corner · right' })).toBeTruthy();
     page.asked();
     type(field('x mm'), '110');
     click(button('Delete point'));
@@ -234,7 +234,7 @@ describe('a selected point', () => {
     page.show(<SelectionPanel pieces={two()} />);
     page.asked();
     type(field('y mm'), '-20');
-    expect(screen.getByRole('heading', { name: 'Handle of e0' })).toBeTruthy();
+    expect(screen.getByRole('heading', { name: 'Handle · bottom' })).toBeTruthy();
     expect(page.asked()[0]![1]).toMatchObject({ edit: 'move_handle', curve: 0, handle: 2 });
     expect(button('Make straight')).toBeTruthy();
   });

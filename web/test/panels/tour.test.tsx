@@ -4,6 +4,7 @@ import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { click, openPage, type Page } from './page';
 import { HelpDialog } from '../../src/panels/HelpDialog';
 import { Tour } from '../../src/panels/Tour';
+import { TourButton } from '../../src/panels/TourButton';
 import { tourStops } from '../../src/state/tour';
 
 const button = (name: string): HTMLElement => screen.getByRole('button', { name });
@@ -52,6 +53,14 @@ describe('the tour', () => {
     page.change((state) => (state.helpShown.value = true));
     page.show(<HelpDialog />);
     click(button('Take the tour'));
+    expect(page.asked()).toEqual([['tours.begin']]);
+  });
+
+  it('is taken again from a dialog, which is left', () => {
+    const begun = vi.fn();
+    page.show(<TourButton begun={begun} />);
+    click(button('Take the tour'));
+    expect(begun).toHaveBeenCalledOnce();
     expect(page.asked()).toEqual([['tours.begin']]);
   });
 });

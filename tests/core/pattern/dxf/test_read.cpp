@@ -251,14 +251,19 @@ TEST(DxfRead, TheSewLineIsTakenBeforeTheCutLine) {
 TEST(DxfRead, TextsNameTheNearestPiece) {
   const std::string pieces = rectangle({0, 0}, 100, 100) + rectangle({140, 0}, 100, 100) +
                              rectangle({280, 0}, 100, 100) + rectangle({420, 0}, 100, 100);
-  const dxf::DxfDrawing d = read(entities(pieces + text({0, -15}, "skirt_back") + text({190, 50}, "front") +
-                                          text({280, -45}, "too far") + text({450, 50}, "front") +
-                                          text({450, 60}, "Cut by: hand")));
-  ASSERT_EQ(d.pieces.size(), 4u);
-  EXPECT_EQ(d.pieces[0].name, "skirt_back");
-  EXPECT_EQ(d.pieces[1].name, "front");
-  EXPECT_EQ(d.pieces[2].name, "piece3");
-  EXPECT_EQ(d.pieces[3].name, "front-2");
+  for (const double mm_per_unit : {1.0, 25.4}) {
+    dxf::DxfSettings settings = in_mm();
+    settings.mm_per_unit = mm_per_unit;
+    const dxf::DxfDrawing d = read(
+        entities(pieces + text({0, -15}, "skirt_back") + text({190, 50}, "front") +
+                 text({280, -45}, "too far") + text({450, 50}, "front") + text({450, 60}, "Cut by: hand")),
+        settings);
+    ASSERT_EQ(d.pieces.size(), 4u);
+    EXPECT_EQ(d.pieces[0].name, "skirt_back");
+    EXPECT_EQ(d.pieces[1].name, "front");
+    EXPECT_EQ(d.pieces[2].name, "piece3");
+    EXPECT_EQ(d.pieces[3].name, "front-2");
+  }
 }
 
 TEST(DxfRead, NamesAreCleanUtf8) {

@@ -54,9 +54,9 @@ export const pattern = {
   removeNotch: 'Remove notch',
   notchTip: 'A mark where pieces meet when they are sewn',
   notch: 'Notch',
-  handleOf: (edge: string) => `Handle of ${edge}`,
-  cornerOf: (edge: string) => `Corner of ${edge}`,
-  pointOf: (edge: string) => `Point of ${edge}`,
+  handleOf: (edge: string) => `Handle · ${edge}`,
+  cornerOf: (edge: string) => `Corner · ${edge}`,
+  pointOf: (edge: string) => `Point · ${edge}`,
   makeStraight: 'Make straight',
   deletePoint: 'Delete point',
   keeps: {
