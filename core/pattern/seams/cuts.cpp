@@ -5,7 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/pattern/seams/kinds.h"
+#include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/notch_cuts.h"
+#include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -83,6 +86,16 @@ struct Two {
   double worth = 0;
 };
 
+/// Whether the runs are a sleeve's cap and the armholes of a front and a back.
+bool is_set_in(const SeamModel& m, Index cap, Index x, Index y) {
+  const auto armhole = [&](Index r) {
+    return m.words[m.runs[r].panel].kind == PieceKind::kTorso &&
+           m.runs[r].turn.back() < kPairWeights.twin_hollow_deg;
+  };
+  return m.runs[cap].cap && armhole(x) && armhole(y) &&
+         m.words[m.runs[x].panel].face * m.words[m.runs[y].panel].face < 0;
+}
+
 /// The best two lines to sew run r to, that have up to `ease` less than its length.
 Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double ease) {
   const double length = m.runs[r].length;
@@ -92,14 +105,16 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
     if (lines[i].bent || !other_piece(lines[i])) continue;
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
       const double sum = lines[i].length + lines[j].length;
-      if (sum > length * (1 + std::min(kCutWeights.alike, ease)) || sum < length * (1 - ease)) continue;
+      const double most =
+          is_set_in(m, r, lines[i].runs[0], lines[j].runs[0]) ? std::max(ease, kCutWeights.ease_cap) : ease;
+      if (sum > length * (1 + std::min(kCutWeights.alike, ease)) || sum < length * (1 - most)) continue;
       // The two shoulders of one front never lie end to end.
       const bool same_piece = m.runs[lines[i].runs[0]].panel == m.runs[lines[j].runs[0]].panel;
       if (same_piece || lines[j].bent || !other_piece(lines[j]) ||
           std::min(lines[i].length, lines[j].length) < length / kCutWeights.most_parts)
         continue;
       const int ends = meeting_ends(m, lines[i], lines[j]);
-      const double worth = ends - difference(sum, length) / kCutWeights.ease;
+      const double worth = ends - difference(sum, length) / std::max(most, kCutWeights.ease);
       if (ends > 0 && worth > best.worth) best = {&lines[i], &lines[j], worth};
     }
   }
@@ -167,6 +182,54 @@ void cut_like_mirror(const SeamModel& m, Index r, std::vector<std::vector<double
   std::reverse(cuts[r].begin(), cuts[r].end());
 }
 
+/// The upper edge of a sleeve that is set on without a cap; null where there is none.
+const SeamRun* level_top(const SeamModel& m) {
+  const auto top = std::find_if(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+    return m.words[run.panel].kind == PieceKind::kSleeve && m.upright[run.panel] && !run.cap &&
+           run.up > kPairWeights.facing && run.mirror_panel == run.panel && run.mirror_edge == run.edge;
+  });
+  return top == m.runs.end() ? nullptr : &*top;
+}
+
+/// Where a bodice's side that goes up to the shoulder ends and the arm comes out, from the run's start; −1
+/// for other runs. The sleeve tells, else the upper notch.
+double arm_begins(const SeamModel& m, const SeamRun& run, const SeamRun* sleeve) {
+  const PieceWords& words = m.words[run.panel];
+  if (words.kind != PieceKind::kTorso || words.face == 0 || !begins_at_hem(m, run) || !meets_shoulder(m, run))
+    return -1;
+  const bool rises = dot(run.at.back() - run.at.front(), m.up[run.panel]) > 0;
+  const auto fits = [&](double depth) {
+    return depth > kCutWeights.arm_least_mm && depth < kCutWeights.arm_most * run.length;
+  };
+  const auto place = [&](double depth) { return rises ? run.length - depth : depth; };
+  double depth = sleeve == nullptr ? 0 : sleeve->length / 2;
+  for (const double notch : run.notches) {
+    const double there = rises ? run.length - notch : notch;
+    const bool closer = sleeve == nullptr ? depth == 0 || there < depth
+                                          : std::abs(there - sleeve->length / 2) < kCutWeights.arm_notch_mm;
+    if (fits(there) && closer) depth = there;
+  }
+  return fits(depth) ? place(depth) : -1;
+}
+
+/// Cuts sides that go up to the shoulder where the arm comes out, and the sleeves there at the shoulder.
+void cut_for_arms(const SeamModel& m, std::vector<std::vector<double>>& cuts) {
+  const SeamRun* sleeve = level_top(m);
+  bool any = false;
+  for (std::size_t r = 0; r < cuts.size(); ++r) {
+    const double at = arm_begins(m, m.runs[r], sleeve);
+    if (at < 0) continue;
+    cuts[r] = {at};
+    any = true;
+  }
+  for (std::size_t r = 0; any && sleeve != nullptr && r < cuts.size(); ++r) {
+    const SeamRun& run = m.runs[r];
+    const bool top = m.words[run.panel].kind == PieceKind::kSleeve && run.up > kPairWeights.facing &&
+                     equally_long(run.length, sleeve->length) && run.mirror_edge == run.edge;
+    if (top) cuts[r] = {run.length / 2};
+  }
+}
+
 }  // namespace
 
 bool is_half(const SeamModel& m, Index p) {
@@ -177,9 +240,21 @@ bool is_half(const SeamModel& m, Index p) {
          });
 }
 
+bool goes_all_around(const SeamModel& m, Index band) {
+  const PieceWords& words = m.words[band];
+  if (words.kind != PieceKind::kBand || words.face != 0 || words.side != 0) return false;
+  bool front = false, back = false;
+  for (Index q = 0; q < static_cast<Index>(m.words.size()); ++q) {
+    if (m.words[q].layer || (hangs_from(m, band, q) <= 0 && hangs_from(m, q, band) <= 0)) continue;
+    front = front || m.words[q].face > 0;
+    back = back || m.words[q].face < 0;
+  }
+  return front && back;
+}
+
 bool meets_halves(const SeamModel& m, Index r) {
   const SeamRun& run = m.runs[r];
-  if (run.side || is_half(m, run.panel)) return false;
+  if (run.side || is_half(m, run.panel) || goes_all_around(m, run.panel)) return false;
   if (m.twin[run.panel] != kNone && m.mirror[r] != r) return false;
   for (Index q = 0; q < static_cast<Index>(m.twin.size()); ++q) {
     if (!is_half(m, q) || m.words[q].face * m.words[run.panel].face < 0) continue;
@@ -196,6 +271,7 @@ SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, Cut
   std::vector<std::vector<double>> cuts(whole.runs.size());
   std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner
   if (kind == CutKind::kNotches) cuts = notch_cuts(whole);
+  cut_for_arms(whole, cuts);
   for (Index r = 0; r < count; ++r)
     if (cuts[r].empty() && meets_halves(whole, r)) cuts[r] = {whole.runs[r].length / 2};
   for (const bool darts : {true, false}) {

@@ -17,6 +17,10 @@ enum class CutKind {
 /// Whether the panel is one side's of what it is a part of, and there is the other side's.
 bool is_half(const SeamModel& model, Index panel);
 
+/// Whether the panel is a band that names no side and no face, and fronts and backs hang from it or hold it:
+/// it is sewn to all of them together.
+bool goes_all_around(const SeamModel& model, Index panel);
+
 /// Whether the run lies at the upper or lower end of a whole piece and halves come to that end, as those of a
 /// bodice to a band: each of them then has its half of the end.
 bool meets_halves(const SeamModel& model, Index run);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -32,6 +33,11 @@ bool is_hem(const SeamModel& m, const SeamRun& run) {
          dot(normalized(-perpendicular(chord)), m.up[run.panel]) < kGarmentWeights.hem;
 }
 
+/// Whether pieces of the kind end others: a cuff, a band, a collar.
+bool is_trim(PieceKind kind) {
+  return kind == PieceKind::kCuff || kind == PieceKind::kBand || kind == PieceKind::kCollar;
+}
+
 /// How long the hem of the bodice's pieces is, mm, told by their widths across the grain; 0 where there is no
 /// front or no back, or no telling which way a piece lies.
 double torso_girth(const SeamModel& m) {
@@ -58,13 +64,18 @@ double torso_girth(const SeamModel& m) {
 }  // namespace
 
 GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
-    : m_(model), settings_(settings), least_border_(kGarmentWeights.narrow_share * torso_girth(model)) {
+    : m_(model),
+      settings_(settings),
+      least_border_(
+          std::min(kGarmentWeights.narrow_share * torso_girth(model), kGarmentWeights.narrow_most_mm)) {
   for (std::size_t i = 0; i < model.runs.size(); ++i) {
     const SeamRun& run = model.runs[i];
     runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,
                      run.turn.back() > kGarmentWeights.round_deg && !run.open_front && !is_hem(model, run),
                      std::abs(run.angle - 180) < kGarmentWeights.smooth_deg, run.angle, run.length,
-                     run.to - run.from, model.words[run.panel].kind == PieceKind::kTorso});
+                     run.to - run.from, model.words[run.panel].kind == PieceKind::kTorso,
+                     is_trim(model.words[run.panel].kind), half_of(model, static_cast<Index>(i)),
+                     model.words[run.panel].face});
   }
   root_.resize(runs_.size());
 }
@@ -150,6 +161,25 @@ double GluingJudge::limbs(const SeamGluing& g) {
   return kGarmentWeights.both_limbs * both;
 }
 
+/// A strap goes over one shoulder, from the front to the back: seen from their right sides, from the one half
+/// of the front to the other of the back.
+double GluingJudge::straps(const SeamGluing& g) {
+  held_.assign(m_.words.size(), kNone);
+  double merit = 0;
+  for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r) {
+    if (g.partner[r] == kNone || m_.words[runs_[r].panel].kind != PieceKind::kStrap) continue;
+    Index& first = held_[runs_[r].panel];
+    if (first == kNone) {
+      first = g.partner[r];
+      continue;
+    }
+    const Run &a = runs_[first], &b = runs_[g.partner[r]];
+    if (a.face * b.face > 0) merit += kGarmentWeights.strap_across;
+    if (a.face * b.face < 0 && a.half * b.half > 0) merit += kGarmentWeights.strap_crosses;
+  }
+  return merit;
+}
+
 /// Two pieces that mirror each other meet along one line, the middle of the body, seldom along two.
 double GluingJudge::middles(const SeamGluing& g) {
   lines_.assign(m_.words.size(), 0);
@@ -161,12 +191,17 @@ double GluingJudge::middles(const SeamGluing& g) {
   for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r)
     lines_[runs_[r].panel] += in_middle(r) && !(in_middle(runs_[r].next) && goes_on(runs_[r].next));
   double merit = kGarmentWeights.second_line * static_cast<double>(second_lines_in_rows(g));
-  for (std::size_t p = 0; p < lines_.size(); ++p)
-    if (m_.twin[p] > static_cast<Index>(p)) merit += kGarmentWeights.second_line * std::max(0, lines_[p] - 1);
+  for (std::size_t p = 0; p < lines_.size(); ++p) {
+    // A leg that is cut in one piece has the middle of the front and that of the back.
+    const bool both = m_.words[p].kind == PieceKind::kLegs && m_.words[p].face == 0;
+    if (m_.twin[p] > static_cast<Index>(p))
+      merit += kGarmentWeights.second_line * std::max(0, lines_[p] - (both ? 2 : 1));
+  }
   return merit;
 }
 
-/// Nearly every piece has an edge that is sewn to nothing: a hem, a neck. But a piece of a bodice is sewn.
+/// Nearly every piece has an edge that is sewn to nothing: a hem, a neck, or to a band, cuff or collar that
+/// ends it there. But a piece of a bodice is sewn.
 double GluingJudge::free_edges(const SeamGluing& g) {
   open_.assign(m_.words.size(), 0);
   sewn_.assign(m_.words.size(), 0);
@@ -175,6 +210,7 @@ double GluingJudge::free_edges(const SeamGluing& g) {
     const Run& run = runs_[r];
     const bool free = g.partner[r] == kNone, next_free = g.partner[run.next] == kNone;
     (free ? open_ : sewn_)[run.panel] = 1;
+    if (!free && !run.trim && runs_[g.partner[r]].trim) open_[run.panel] = 1;
     if (free && run.round) merit += kGarmentWeights.free_round;
     if (free != next_free && runs_[run.next].smooth) merit += kGarmentWeights.torn_line;
   }
@@ -192,7 +228,10 @@ double GluingJudge::points(const SeamGluing& g) {
     s.angle += runs_[i].angle;
     ++s.corners;
     s.cut = s.cut || runs_[i].cut_start;
-    s.crotch = s.crotch || m_.words[runs_[i].panel].kind == PieceKind::kLegs;
+    const PieceWords& words = m_.words[runs_[i].panel];
+    s.crotch = s.crotch || words.kind == PieceKind::kLegs;
+    const bool trunk = words.kind == PieceKind::kTorso && words.face != 0;
+    (trunk ? words.face > 0 ? s.front : s.back : s.other) = true;
     if (g.partner[i] != kNone) continue;
     ++s.free_ends;
     ++sums_[root_[runs_[i].next]].free_ends;
@@ -204,6 +243,8 @@ double GluingJudge::points(const SeamGluing& g) {
     ++points_;
     const double here = s.free_ends == 0 ? inner_merit(s.angle) : s.corners > 1 ? border_merit(s.angle) : 0;
     if (s.crotch && s.free_ends == 0 && s.angle < 360) continue;  // legs end sharply where they meet
+    if (s.free_ends == 0 && s.front && s.back && !s.other && s.angle < kGarmentWeights.arm_shut_deg)
+      merit += kGarmentWeights.arm_shut;
     merit += s.cut ? std::min(0.0, here) : here;  // a cut is no corner of the drawing: it proves nothing
   }
   return merit;
@@ -276,7 +317,8 @@ double GluingJudge::gathers(const SeamGluing& g) {
 double GluingJudge::merit(const SeamGluing& g) {
   join_corners(g);
   const double around = points(g);  // counts the points for surface()
-  const double whole = pairs(g) + sides(g) + limbs(g) + middles(g) + free_edges(g) + around + surface(g);
+  const double whole =
+      pairs(g) + sides(g) + limbs(g) + straps(g) + middles(g) + free_edges(g) + around + surface(g);
   return whole + narrow_borders(g) + gathers(g);
 }
 

@@ -67,12 +67,14 @@ class GluingJudge {
     bool round;           ///< turns by more than an opening does, and is no hem
     bool smooth;          ///< the outline runs on smoothly at its start
     double angle, length, share;
-    bool torso;
+    bool torso, trim;  ///< its piece is of the bodice; a band, cuff or collar
+    int half, face;    ///< half_of() it, and of its piece
   };
   struct PointSums {
     double angle = 0;
     int corners = 0, free_ends = 0;
     bool cut = false, crotch = false;
+    bool front = false, back = false, other = false;  ///< a corner is of the bodice's front, back, of neither
   };
   struct Gather {
     double ratio;
@@ -87,6 +89,7 @@ class GluingJudge {
   double sides(const SeamGluing& g) const;
   int second_lines_in_rows(const SeamGluing& g) const;
   double limbs(const SeamGluing& g);
+  double straps(const SeamGluing& g);
   double middles(const SeamGluing& g);
   double free_edges(const SeamGluing& g);
   double points(const SeamGluing& g);
@@ -103,6 +106,7 @@ class GluingJudge {
   std::vector<Gather> gathers_;
   std::vector<Index> free_at_;
   std::vector<Index> mate_;  ///< of each panel of a sleeve: the first of another that it is sewn to
+  std::vector<Index> held_;  ///< of each panel of a strap: the first run that it is sewn to
   std::vector<int> lines_;
   std::vector<char> open_, sewn_;  ///< of each panel: an edge of it is free, is sewn
   double least_border_;            ///< mm, of the bodice alone

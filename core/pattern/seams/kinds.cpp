@@ -48,12 +48,44 @@ bool is_shoulder(const SeamModel& m, const SeamRun& run) {
          bend_of(run) < kPairWeights.straight_deg && slopes;
 }
 
-/// As inwards(), or for a half of a bodice that names no side by where its middle is: there it opens, or it
-/// has its longest edge along the grain, from the neck to the hem; a side begins below the armhole.
+/// Whether the run lies in the upper part of its piece, where a shoulder is.
+bool lies_high(const SeamModel& m, const SeamRun& run) {
+  const Vec2 up = m.up[run.panel];
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const SeamRun& other : m.runs) {
+    if (other.panel != run.panel) continue;
+    low = std::min(low, dot(other.at[0], up));
+    high = std::max(high, dot(other.at[0], up));
+  }
+  const double least = std::min(dot(run.at.front(), up), dot(run.at.back(), up));
+  return least > high - kPairWeights.shoulder_high * (high - low);
+}
+
+/// The direction along which a shoulder of the piece rises, towards the neck: across the grain, to the right
+/// as drawn upright. 0 where none slopes.
+double slopes_to(const SeamModel& m, Index panel) {
+  const Vec2 up = m.up[panel], right{up.y, -up.x};
+  const SeamRun* shoulder = nullptr;
+  for (const SeamRun& run : m.runs) {
+    const double slope = rise(m, run);
+    const bool one = run.panel == panel && run.up > kPairWeights.facing &&
+                     bend_of(run) < kPairWeights.straight_deg && slope > kPairWeights.shoulder_slope &&
+                     lies_high(m, run);
+    if (one && (shoulder == nullptr || run.length > shoulder->length)) shoulder = &run;
+  }
+  if (shoulder == nullptr) return 0;
+  const Vec2 along = shoulder->at.back() - shoulder->at.front();
+  return std::copysign(1, dot(along, up) * dot(along, right));
+}
+
+/// As inwards(), or for a half of a bodice that names no side by where its middle is: there its shoulder
+/// rises, it opens, or it has its longest edge along the grain, from the neck to the hem; a side begins below
+/// the armhole.
 double from_side(const SeamModel& m, const SeamRun& run) {
   const Index twin = m.twin[run.panel];
   if (m.words[run.panel].side != 0) return inwards(m, run);
   if (twin == kNone || twin == run.panel) return 0;
+  if (const double neck = slopes_to(m, run.panel); neck != 0) return neck * faces_right(m, run);
   const SeamRun* middle = nullptr;
   for (const SeamRun& other : m.runs) {
     const bool line = rise(m, other) > kPairWeights.twin_straight_rise &&
@@ -65,6 +97,22 @@ double from_side(const SeamModel& m, const SeamRun& run) {
   return middle == nullptr ? 0 : std::copysign(1, faces_right(m, *middle)) * faces_right(m, run);
 }
 
+/// Whether the run ends off the middle of the body, so that it leaves a neck: one of two such edges of a
+/// whole piece, or an edge of a half that does not begin where its middle ends.
+bool leaves_neck(const SeamModel& m, const SeamRun& run) {
+  const auto meets = [&](const SeamRun& other) {
+    return &m.runs[run.next] == &other || &m.runs[other.next] == &run;
+  };
+  const Index twin = m.twin[run.panel];
+  return std::none_of(m.runs.begin(), m.runs.end(),
+                      [&](const SeamRun& other) {
+                        if (other.panel != run.panel || !meets(other)) return false;
+                        if (twin == run.panel) return other.mirror_edge == run.edge;
+                        return rise(m, other) > kPairWeights.middle_rise && from_side(m, other) > 0;
+                      }) &&
+         (twin != run.panel || run.mirror_edge != run.edge) && twin != kNone;
+}
+
 /// Whether the run is of a bodice and cannot be at its neck: it faces the side, or slopes as a shoulder.
 bool is_off_neck(const SeamModel& m, const SeamRun& run) {
   return m.words[run.panel].kind == PieceKind::kTorso &&
@@ -73,12 +121,25 @@ bool is_off_neck(const SeamModel& m, const SeamRun& run) {
 
 bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
 
+/// Whether the run is a bodice's edge below a shoulder: sewn front to back it lets no arm out.
+bool is_for_arm(const SeamModel& m, const SeamRun& run) {
+  return m.words[run.panel].kind == PieceKind::kTorso && meets_shoulder(m, run);
+}
+
 /// A sleeve is sewn with its cap to a hollow edge of a bodice that does not face the middle; a tailored one
 /// is eased into the armhole as a whole, so that no part of it takes a part of another length.
 double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
   const auto whole = [](const SeamRun& run) { return run.from == 0 && run.to == 1; };
   const bool differ = whole(torso) && whole(sleeve) && difference(torso, sleeve) > kPairWeights.tailored_ease;
   if (m.tailored && (!sleeve.cap || differ)) return kPairWeights.never_meet;
+  const bool wrist = m.upright[sleeve.panel] && sleeve.up < -kPairWeights.facing;
+  const bool neck = m.upright[torso.panel] && torso.up > kPairWeights.facing &&
+                    m.twin[torso.panel] == torso.panel && torso.mirror_edge == torso.edge;
+  if (wrist || neck) return kPairWeights.never_meet;
+  // A side that goes up to the shoulder, and the level top of a sleeve that is set on without a cap.
+  const bool dropped = m.upright[sleeve.panel] && sleeve.up > kPairWeights.facing &&
+                       meets_shoulder(m, torso) && !begins_at_hem(m, torso);
+  if (dropped) return kPairWeights.armhole + kPairWeights.cap;
   const bool hollow =
       torso.turn.back() < kPairWeights.twin_hollow_deg && inwards(m, torso) < kPairWeights.inner;
   return (hollow ? kPairWeights.armhole : -kPairWeights.armhole) +
@@ -133,16 +194,38 @@ bool is_beside_hollow(const SeamModel& m, const SeamRun& run) {
          });
 }
 
-/// What is said of two edges that are both level and up: two waists are never sewn together. But beside a
-/// neck they are a kimono's shoulders, or a cape's (of bodices that are named so shoulders slope), and beside
-/// a waist the ends of a skirt that is cut as half a circle.
+/// What is said of two edges that are both level and up: two waists are never sewn together. But a front's
+/// and a back's that leave a neck between them are shoulders that slope little, those beside a hollow neck
+/// are a kimono's or a cape's, and beside a waist they are the ends of a skirt that is cut as half a circle.
 double level_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  if (x.kind == PieceKind::kLegs && y.kind == PieceKind::kLegs) return kPairWeights.never_meet;
+  const bool torsos = x.kind == PieceKind::kTorso && y.kind == PieceKind::kTorso;
+  if (torsos && x.face * y.face < 0 && leaves_neck(m, a) && leaves_neck(m, b))
+    return kPairWeights.level_shoulder;
   const bool beside = is_beside_hollow(m, a) && is_beside_hollow(m, b);
   const auto unnamed = [](const PieceWords& w) { return w.guessed || w.kind == PieceKind::kOther; };
   if (beside && x.face * y.face < 0 && unnamed(x) && unnamed(y)) return kPairWeights.level_shoulder;
   if (beside && a.panel == b.panel && x.kind == PieceKind::kSkirt && x.face == 0) return 0;
   return in_one_row(m, a, b) ? kPairWeights.waists_in_row : kPairWeights.two_waists;
+}
+
+/// A strap is sewn to something by its ends.
+double strap_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const bool first = m.words[a.panel].kind == PieceKind::kStrap;
+  const SeamRun &strap = first ? a : b, &other = first ? b : a;
+  const bool is_end = strap.length < kPairWeights.strap_end * m.girth[strap.panel];
+  const bool closes = m.words[other.panel].kind == PieceKind::kBand && other.from == 0 && other.to == 1 &&
+                      other.length < kPairWeights.strap_end * m.girth[other.panel];
+  return is_end && !closes ? 0 : kPairWeights.never_meet;
+}
+
+/// Whether the runs are a collar's and the upper end of a sleeve that goes up to the neck between front and
+/// back.
+bool is_raglan_neck(const SeamModel& m, const SeamRun& collar, const SeamRun& sleeve) {
+  return is_neck(m.words[collar.panel].kind) && m.words[sleeve.panel].kind == PieceKind::kSleeve &&
+         m.upright[sleeve.panel] && !sleeve.cap && sleeve.up > kPairWeights.facing &&
+         sleeve.length < kPairWeights.crotch * m.girth[sleeve.panel];
 }
 
 /// Whether the run may be a brief's crotch: short, between the openings for the legs.
@@ -174,6 +257,16 @@ bool on_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return is_neck(m.words[a.panel].kind) || is_neck(m.words[b.panel].kind);
 }
 
+bool meets_shoulder(const SeamModel& m, const SeamRun& run) {
+  const auto is_top = [&](const SeamRun& other) {
+    return other.up > kPairWeights.facing && lies_high(m, other) && leaves_neck(m, other) &&
+           from_side(m, run) <= 0;
+  };
+  return is_top(m.runs[run.next]) || std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
+           return &m.runs[other.next] == &run && is_top(other);
+         });
+}
+
 bool are_torsos(const SeamModel& m, Index i, Index j) {
   return m.words[m.runs[i].panel].kind == PieceKind::kTorso &&
          m.words[m.runs[j].panel].kind == PieceKind::kTorso;
@@ -191,7 +284,9 @@ double middle_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 bool takes_both_halves(const SeamModel& m, Index i, Index j) {
   const auto whole = [&](Index r) { return m.runs[r].from == 0 && m.runs[r].to == 1; };
   const auto takes = [&](Index half, Index all) {
-    return whole(all) && is_half(m, m.runs[half].panel) && meets_halves(m, all);
+    if (!whole(all)) return false;
+    return (is_half(m, m.runs[half].panel) && meets_halves(m, all)) ||
+           (goes_all_around(m, m.runs[all].panel) && m.words[m.runs[half].panel].face != 0);
   };
   return takes(i, j) || takes(j, i);
 }
@@ -199,7 +294,11 @@ bool takes_both_halves(const SeamModel& m, Index i, Index j) {
 double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int hangs) {
   const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  if (ka == PieceKind::kStrap && kb == PieceKind::kStrap) return kPairWeights.two_straps;
+  if (is_raglan_neck(m, a, b) || is_raglan_neck(m, b, a)) return 0;
   if (!ever_meet(ka, kb) || (on_limb(x) && on_limb(y) && x.leg != y.leg)) return kPairWeights.never_meet;
+  if (ka == PieceKind::kStrap || kb == PieceKind::kStrap) return strap_merit(m, a, b);
+  if (is_for_arm(m, a) && is_for_arm(m, b)) return kPairWeights.never_meet;
   const bool left_and_right = m.twin[a.panel] == b.panel && a.panel != b.panel && x.face * y.face >= 0;
   if (left_and_right && (x.flank || (x.limb && y.limb))) return kPairWeights.both_sleeves;
   if ((is_neck(ka) && y.flank) || (is_neck(kb) && x.flank))
@@ -212,8 +311,9 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
     return is_long_in_collar(m, a, b) && !is_fold_on_stand(m, a, b) ? kPairWeights.collar_long : 0;
   if (ka == PieceKind::kTorso && kb == PieceKind::kSleeve) return armhole_merit(m, a, b);
   if (kb == PieceKind::kTorso && ka == PieceKind::kSleeve) return armhole_merit(m, b, a);
-  if ((is_neck(ka) && kb == PieceKind::kTorso && is_middle(m, b)) ||
-      (is_neck(kb) && ka == PieceKind::kTorso && is_middle(m, a)))
+  const auto closed_middle = [&](const SeamRun& r) { return !m.opens[r.panel] && is_middle(m, r); };
+  if ((is_neck(ka) && kb == PieceKind::kTorso && closed_middle(b)) ||
+      (is_neck(kb) && ka == PieceKind::kTorso && closed_middle(a)))
     return kPairWeights.not_middle;
   if ((is_neck(ka) && is_off_neck(m, b)) || (is_neck(kb) && is_off_neck(m, a)))
     return kPairWeights.never_meet;
@@ -236,6 +336,7 @@ double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
     return kPairWeights.side_to_hem;
   if (std::min(ua, ub) > -mostly || std::max(ua, ub) < mostly) return 0;
   if (a.panel == b.panel) return kPairWeights.hem_to_own_waist;
+  if (m.twin[a.panel] == b.panel) return kPairWeights.hem_to_twins_waist;
   const bool larger_hangs = (m.girth[a.panel] > m.girth[b.panel]) == (ua > 0);
   const int faces = x.face * y.face;
   if (faces < 0 && x.kind == PieceKind::kOther && is_named_alike(m, a, b)) return kPairWeights.hangs_across;

@@ -18,6 +18,9 @@ bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 /// there.
 bool on_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 
+/// Whether the run faces the side and meets an edge that faces up and leaves a neck: that is a shoulder.
+bool meets_shoulder(const SeamModel& m, const SeamRun& run);
+
 /// Whether both runs are of a bodice.
 bool are_torsos(const SeamModel& m, Index i, Index j);
 

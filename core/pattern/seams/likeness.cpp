@@ -117,18 +117,18 @@ int edges_in_common(const SeamModel& m, Index p, Index q) {
   return common;
 }
 
-/// Pairs up the runs of two pieces of one form.
+/// Pairs up the runs of two pieces of one form, or of one that is the same when it is turned.
 void find_same(SeamModel& m, Index p, Index q) {
   const std::vector<Index> a = runs_of(m, p), b = runs_of(m, q);
   const std::size_t n = a.size();
   if (n != b.size()) return;
-  for (std::size_t shift = 0; shift < n; ++shift) {
+  for (std::size_t shift = p == q ? 1 : 0; shift < n; ++shift) {
     bool all = true;
     for (std::size_t k = 0; k < n && all; ++k) all = is_same(m, a[k], b[(k + shift) % n]);
     if (!all) continue;
     for (std::size_t k = 0; k < n; ++k) {
       m.same[a[k]].push_back(b[(k + shift) % n]);
-      m.same[b[(k + shift) % n]].push_back(a[k]);
+      if (p != q) m.same[b[(k + shift) % n]].push_back(a[k]);
     }
   }
 }
@@ -201,6 +201,7 @@ void find_alike(SeamModel& m) {
   m.same.resize(m.runs.size());
   const auto count = static_cast<Index>(m.words.size());
   for (Index p = 0; p < count; ++p) {
+    find_same(m, p, p);
     for (Index q = p + 1; q < count; ++q) {
       if (m.twin[p] != q) find_counterparts(m, p, q);
       find_same(m, p, q);

@@ -86,17 +86,6 @@ bool is_of_vent(const SeamModel& m, Index i, Index j) {
   return m.mirror[i] != j && (stands_out(m, a) || stands_out(m, b));
 }
 
-/// 1 where run r of a piece that is its own mirror image is of its right half as drawn upright, -1 of its
-/// left one, 0 where that is not known.
-int half_of(const SeamModel& m, Index r) {
-  const SeamRun& run = m.runs[r];
-  const Index image = m.mirror[r];
-  if (m.twin[run.panel] != run.panel || image == kNone || image == r || !m.upright[run.panel]) return 0;
-  const Vec2 up = m.up[run.panel], right{up.y, -up.x};
-  constexpr std::size_t kMiddle = SeamRun::kSamples / 2;
-  return dot(run.at[kMiddle] - m.runs[image].at[kMiddle], right) > 0 ? 1 : -1;
-}
-
 /// Whether the seam would join the wearer's left of a front to the right of a back: seen from their right
 /// sides the one's right half meets the other's left one.
 bool crosses_over(const SeamModel& m, Index i, Index j, bool along) {
@@ -138,7 +127,9 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   double merit = length_part(m, i, j, lengths, counterparts, gathers) + shape_merit(a, b) +
                  facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
   if (hangs > 0 && takes_both_halves(m, i, j)) merit += kPairWeights.half_takes_all;
-  if ((!twins || a.panel == b.panel) && std::max(a.turn.back(), b.turn.back()) < kPairWeights.hollow_deg)
+  const bool sides = begins_at_hem(m, a) && begins_at_hem(m, b) && !twins;
+  if (!sides && (!twins || a.panel == b.panel) &&
+      std::max(a.turn.back(), b.turn.back()) < kPairWeights.hollow_deg)
     merit += are_torsos(m, i, j) ? kPairWeights.two_armholes : kPairWeights.two_hollows;
   if (turns_in(m, a) && turns_in(m, b)) merit += kPairWeights.two_corners;
   if (stays_open(m, a, b)) merit += kPairWeights.stays_open;

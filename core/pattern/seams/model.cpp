@@ -170,10 +170,19 @@ void find_between(SeamModel& m) {
   }
 }
 
-/// Whether the piece has a shoulder by its shape: a straight edge between two hollow ones, armhole and neck.
+/// Whether the piece has a shoulder by its shape: a straight edge between two hollow ones, armhole and neck;
+/// or two straight ones that face up, with a hollow neck between them, as where sleeves are cut on.
 bool has_shoulder(const SeamModel& m, Index panel) {
+  const auto slopes = [](const SeamRun& run) {
+    return bend_of(run) < kPairWeights.straight_deg && run.up > kPairWeights.level_shoulder_up;
+  };
   return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-    return run.panel == panel && bend_of(run) < kPairWeights.straight_deg && lies_between_hollows(m, run);
+    if (run.panel != panel) return false;
+    if (bend_of(run) < kPairWeights.straight_deg && lies_between_hollows(m, run)) return true;
+    const SeamRun& neck = m.runs[run.next];
+    const SeamRun& other = m.runs[neck.next];
+    return &other != &run && slopes(run) && slopes(other) && equally_long(run.length, other.length) &&
+           neck.turn.back() < kPairWeights.neck_deg && neck.up > kPairWeights.facing;
   });
 }
 
@@ -188,7 +197,7 @@ void name_trunk(SeamModel& m) {
     });
   };
   const auto unnamed = [](const PieceWords& w) { return w.kind == kOther && !w.limb && !w.layer; };
-  const bool covered = any({kTorso, kSkirt, kLegs, kBand});
+  const bool covered = any({kTorso, kSkirt, kLegs});
   bool top = any({kSleeve, kCollar, kHood});
   for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
     if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
@@ -202,6 +211,16 @@ void name_trunk(SeamModel& m) {
     w.kind = kTorso;
     w.guessed = true;
   }
+}
+
+/// The bands that end a top hang from it, as waistbands do.
+void name_hem_bands(SeamModel& m) {
+  const auto any = [&](PieceKind kind) {
+    return std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) { return w.kind == kind; });
+  };
+  if (!any(PieceKind::kTorso) || any(PieceKind::kSkirt) || any(PieceKind::kLegs)) return;
+  for (PieceWords& w : m.words)
+    if (w.hem_band) w.kind = PieceKind::kBand;
 }
 
 }  // namespace
@@ -248,7 +267,8 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   SeamModel model;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     model.words.push_back(words_of(pattern.panels[p].id));
-    model.up.push_back(up_of(pattern.panels[p], model.words[p].kind));
+    const PieceWords& words = model.words.back();
+    model.up.push_back(up_of(pattern.panels[p], words.hem_band ? PieceKind::kBand : words.kind));
     add_panel(pattern.panels[p], static_cast<Index>(p), model);
     model.lines.push_back(static_cast<int>(pattern.panels[p].outline.edges.size()));
     // Sleeves are often drawn lying, and files without grain lines have it upright.
@@ -259,14 +279,18 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
   name_trunk(model);
+  name_hem_bands(model);
   find_rows(pattern, model);
+  find_twins(model);
+  name_legs(model);
   find_between(model);
   find_hands(model);
   find_caps(model);
+  find_standing_sleeves(model);
   find_sides(model);
-  find_twins(model);
   match_mirrors(model);
   find_open_fronts(model);
+  find_banded_fronts(model);
   find_rivals(model);
   find_alike(model);
   return model;

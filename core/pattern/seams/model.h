@@ -44,7 +44,8 @@ struct SeamModel {
   /// Runs of two pieces that are drawn alike but for a few edges, as a sleeve's front and back: their lengths
   /// agree by design. Empty for each run without any.
   std::vector<std::vector<Index>> counterparts;
-  /// The same run of other pieces of the same form, not turned over. Empty for each run without any.
+  /// The same run of other pieces of the same form, not turned over, and of its own piece where that is the
+  /// same when it is turned around. Empty for each run without any.
   std::vector<std::vector<Index>> same;
   std::vector<PieceWords> words;  ///< one per panel
   std::vector<PieceRow> rows;     ///< one per panel

@@ -32,7 +32,10 @@ PieceKind kind_of(const std::vector<std::string>& words) {
       {"pants", PieceKind::kLegs},     {"trouser", PieceKind::kLegs},    {"trousers", PieceKind::kLegs},
       {"leg", PieceKind::kLegs},       {"sleeve", PieceKind::kSleeve},   {"slv", PieceKind::kSleeve},
       {"cuff", PieceKind::kCuff},      {"ins", PieceKind::kInsert},      {"insert", PieceKind::kInsert},
-      {"gore", PieceKind::kSkirt},     {"godet", PieceKind::kInsert},    {"gusset", PieceKind::kInsert}};
+      {"gore", PieceKind::kSkirt},     {"godet", PieceKind::kInsert},    {"gusset", PieceKind::kInsert},
+      {"bib", PieceKind::kTorso},      {"strap", PieceKind::kStrap},     {"straps", PieceKind::kStrap},
+      {"tie", PieceKind::kStrap},      {"ties", PieceKind::kStrap},      {"belt", PieceKind::kStrap},
+      {"cord", PieceKind::kStrap},     {"drawstring", PieceKind::kStrap}};
   const auto has = [&](const char* word) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
@@ -55,11 +58,21 @@ bool holds_in_a_row(const std::vector<std::string>& words, const char* first, co
   return false;
 }
 
+/// Whether the words tell of a band along that edge: "hem band", "neck rib", "hemband".
+bool tells_band(const std::vector<std::string>& words, const std::string& edge) {
+  for (const char* band : {"band", "rib", "ribbing", "binding"}) {
+    if (holds_in_a_row(words, edge.c_str(), band)) return true;
+    if (std::find(words.begin(), words.end(), edge + band) != words.end()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int hangs_from(PieceKind lower, PieceKind upper) {
   using enum PieceKind;
-  if (lower == kOther || upper == kOther || lower == kInsert || upper == kInsert) return 0;
+  const auto hangs_anywhere = [](PieceKind k) { return k == kOther || k == kInsert || k == kStrap; };
+  if (hangs_anywhere(lower) || hangs_anywhere(upper)) return 0;
   const bool told = ((upper == kCollar || upper == kHood) && lower == kTorso) ||
                     (upper == kTorso && (lower == kBand || lower == kSkirt || lower == kLegs)) ||
                     (upper == kBand && (lower == kSkirt || lower == kLegs)) ||
@@ -72,6 +85,10 @@ int hangs_from(PieceKind lower, PieceKind upper) {
 bool ever_meet(PieceKind a, PieceKind b) {
   using enum PieceKind;
   if (a == kInsert && b == kInsert) return false;  // each is let into a piece, not into another
+  if (a == kStrap || b == kStrap) {
+    const PieceKind other = a == kStrap ? b : a;
+    return other == kOther || other == kTorso || other == kBand || other == kSkirt;
+  }
   if (a == kOther || b == kOther || a == b || a == kInsert || b == kInsert) return true;
   const auto either = [&](PieceKind x, PieceKind y) { return (a == x && b == y) || (a == y && b == x); };
   return hangs_from(a, b) == 1 || hangs_from(b, a) == 1 || either(kTorso, kSleeve);
@@ -83,6 +100,8 @@ PieceWords words_of(const std::string& name) {
   words.kind = kind_of(all);
   words.layer = holds_in_a_row(all, "chest", "piece") || holds_in_a_row(all, "under", "collar") ||
                 holds_in_a_row(all, "collar", "under");
+  if (tells_band(all, "neck")) words.kind = PieceKind::kCollar;
+  words.hem_band = tells_band(all, "hem") || tells_band(all, "bottom");
   words.leg = words.kind == PieceKind::kLegs;
   for (const std::string& w : all) {
     const auto is = [&](std::initializer_list<const char*> any) {
@@ -94,7 +113,7 @@ PieceWords words_of(const std::string& name) {
     };
     if (is({"l", "lf", "lt", "lft"}) || starts("left", 'l')) words.side = -1;
     if (is({"r", "rt", "rgt", "rh"}) || starts("right", 'r')) words.side = 1;
-    if (is({"f", "fr", "frt", "fnt", "ft", "cf"}) || starts("front", 'f')) words.face = 1;
+    if (is({"f", "fr", "frt", "fnt", "ft", "cf", "bib", "apron"}) || starts("front", 'f')) words.face = 1;
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
     if (is({"pant", "pants", "trouser", "trousers", "leg"})) words.leg = true;
     if (is({"side", "sidepanel", "flank"})) words.flank = words.kind != PieceKind::kHood;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/pattern/seams/likeness.h"
+#include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -39,7 +40,86 @@ bool is_side(const SeamModel& m, Index r) {
   });
 }
 
+/// Whether the run is the hollow edge of a leg, between its inner edge and its waist.
+bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
+  if (run.turn.back() > kPairWeights.twin_hollow_deg || std::abs(run.up) > kPairWeights.facing) return false;
+  const auto before = std::find_if(m.runs.begin(), m.runs.end(),
+                                   [&](const SeamRun& other) { return &m.runs[other.next] == &run; });
+  const auto waist_above = [&](const SeamRun& waist, const SeamRun& side) {
+    const bool faces_apart = faces_right(m, side) * faces_right(m, run) < 0;
+    return waist.up > kPairWeights.facing && faces_apart && begins_at_hem(m, side) &&
+           side.turn.back() > kPairWeights.twin_hollow_deg;
+  };
+  const SeamRun& after = m.runs[run.next];
+  if (begins_at_hem(m, *before) && waist_above(after, m.runs[after.next])) return true;
+  if (!begins_at_hem(m, after)) return false;
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& side) {
+    return &m.runs[side.next] == &*before && waist_above(*before, side);
+  });
+}
+
 }  // namespace
+
+void name_legs(SeamModel& m) {
+  const bool other_kinds = std::any_of(m.words.begin(), m.words.end(), [](const PieceWords& w) {
+    return w.kind != PieceKind::kOther && w.kind != PieceKind::kBand && w.kind != PieceKind::kStrap;
+  });
+  if (other_kinds) return;
+  std::vector<Index> legs;
+  bool front = false, back = false;
+  for (const SeamRun& run : m.runs) {
+    const PieceWords& words = m.words[run.panel];
+    const Index twin = m.twin[run.panel];
+    if (words.face == 0 || words.layer || words.kind != PieceKind::kOther || twin == run.panel) continue;
+    if ((twin == kNone && words.side == 0) || !is_leg_crotch(m, run)) continue;
+    legs.push_back(run.panel);
+    (words.face > 0 ? front : back) = true;
+  }
+  if (!front || !back) return;
+  for (const Index p : legs) {
+    m.words[p].kind = PieceKind::kLegs;
+    m.words[p].leg = m.words[p].guessed = true;
+  }
+}
+
+void find_banded_fronts(SeamModel& m) {
+  constexpr double kSame = 0.02, kStrip = 0.35;  // of the length; of the outline
+  double neck = 0;                               // of the back, mm
+  for (const SeamRun& run : m.runs) {
+    const PieceWords& words = m.words[run.panel];
+    const bool whole = m.twin[run.panel] == run.panel && run.mirror_edge == run.edge;
+    if (words.kind == PieceKind::kTorso && words.face < 0 && whole && run.up > kPairWeights.facing)
+      neck = run.length;
+  }
+  for (const SeamRun& middle : m.runs) {
+    const Index panel = middle.panel, twin = m.twin[panel];
+    const PieceWords& words = m.words[panel];
+    if (words.kind != PieceKind::kTorso || words.face <= 0 || twin == kNone || twin == panel) continue;
+    if (!is_middle(m, middle) || !begins_at_hem(m, middle) || m.opens[panel]) continue;
+    // From the hem up to the shoulder, which faces up and outwards.
+    double edge = middle.length;
+    for (const SeamRun* run = &m.runs[middle.next];
+         faces_right(m, *run) * faces_right(m, middle) > 0 && run != &middle; run = &m.runs[run->next])
+      edge += run->length;
+    for (const SeamRun* run = &middle;;) {
+      const auto before = std::find_if(m.runs.begin(), m.runs.end(),
+                                       [&](const SeamRun& other) { return &m.runs[other.next] == run; });
+      run = &*before;
+      if (run == &middle || faces_right(m, *run) * faces_right(m, middle) <= 0) break;
+      edge += run->length;
+    }
+    const double whole = 2 * edge + neck;
+    const auto band = std::find_if(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+      const bool strip = run.length > kStrip * m.girth[run.panel];
+      const double length = m.twin[run.panel] == run.panel ? whole : whole / 2;
+      return run.panel != panel && strip && std::abs(run.length - length) < kSame * length;
+    });
+    if (neck == 0 || band == m.runs.end()) continue;
+    m.opens[panel] = m.opens[twin] = 1;
+    PieceWords& strip = m.words[band->panel];
+    if (strip.kind == PieceKind::kOther) strip.kind = PieceKind::kCollar;
+  }
+}
 
 void find_caps(SeamModel& m) {
   constexpr double kBulge = 10, kAbove = 0.8;  // degrees; facing
@@ -55,6 +135,21 @@ void find_caps(SeamModel& m) {
   if (std::none_of(above.begin(), above.end(), [](char any) { return any != 0; })) return;
   for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p)
     if (m.words[p].kind == PieceKind::kSleeve && !above[p]) find_upper_cap(m, p);
+}
+
+void find_standing_sleeves(SeamModel& m) {
+  constexpr double kRise = 0.85, kLeast = 0.1, kAlike = 0.03;  // of the grain; of the outline; of the length
+  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) {
+    if (m.words[p].kind != PieceKind::kSleeve || m.upright[p]) continue;
+    const SeamRun* longest[2] = {nullptr, nullptr};  // that face left, right
+    for (const SeamRun& run : m.runs) {
+      if (run.panel != p || rise(m, run) < kRise || run.length < kLeast * m.girth[p]) continue;
+      const SeamRun*& there = longest[faces_right(m, run) > 0];
+      if (there == nullptr || run.length > there->length) there = &run;
+    }
+    m.upright[p] =
+        longest[0] != nullptr && longest[1] != nullptr && difference(*longest[0], *longest[1]) < kAlike;
+  }
 }
 
 void find_sides(SeamModel& m) {

@@ -7,9 +7,18 @@
 
 namespace toile::seams {
 
+/// `words`: fronts and backs in halves, of a garment that names no kind but a waistband, are legs where they
+/// have a crotch: a hollow edge between an inner leg and the waist, with a side that goes from there to the
+/// hem. REQUIRES twins.
+void name_legs(SeamModel& m);
+
 /// `cap`, `tailored`, and `upright` of sleeves: their edges that bulge most, and their mirror images. A
 /// sleeve whose cap is above stands, also where no grain line says so; then the others do, too.
 void find_caps(SeamModel& m);
+
+/// `upright` of sleeves whose two longest edges along the grain are as long as each other and face apart:
+/// they are sewn under the arm, so that the sleeve stands. A sleeve that lies has its ends there.
+void find_standing_sleeves(SeamModel& m);
 
 /// `side`.
 void find_sides(SeamModel& m);
@@ -17,5 +26,9 @@ void find_sides(SeamModel& m);
 /// `open_front` and `opens`: fronts that close with buttons are often rounded into the hem, and no seam goes
 /// there. The run's lower end is level, the upper one upright.
 void find_open_fronts(SeamModel& m);
+
+/// `opens`: fronts in halves whose edges from hem to shoulder and the neck of the back are together as long
+/// as a strip are bound by it, as those of robes and cardigans, and not sewn to each other.
+void find_banded_fronts(SeamModel& m);
 
 }  // namespace toile::seams

@@ -93,4 +93,24 @@ double notch_merit(const SeamRun& a, const SeamRun& b, bool along) {
          kPairWeights.notch_alone * std::max(0.0, all - 2.0 * static_cast<double>(met));
 }
 
+bool begins_at_hem(const SeamModel& m, const SeamRun& run) {
+  const auto is_hem = [&](const SeamRun& other) {
+    const bool crotch =
+        lies_between_hollows(m, other) && other.length < kPairWeights.crotch * m.girth[other.panel];
+    return m.upright[other.panel] && other.up < -kPairWeights.facing && !crotch;
+  };
+  return is_hem(m.runs[run.next]) || std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
+           return &m.runs[other.next] == &run && is_hem(other);
+         });
+}
+
+int half_of(const SeamModel& m, Index r) {
+  const SeamRun& run = m.runs[r];
+  const Index image = m.mirror[r];
+  if (m.twin[run.panel] != run.panel || image == kNone || image == r || !m.upright[run.panel]) return 0;
+  const Vec2 up = m.up[run.panel], right{up.y, -up.x};
+  constexpr std::size_t kMiddle = SeamRun::kSamples / 2;
+  return dot(run.at[kMiddle] - m.runs[image].at[kMiddle], right) > 0 ? 1 : -1;
+}
+
 }  // namespace toile::seams

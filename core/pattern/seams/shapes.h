@@ -31,6 +31,14 @@ bool is_middle(const SeamModel& m, const SeamRun& run);
 /// Two edges that run into a narrow corner: what is no dart is a slit, or another piece is let in.
 bool is_slit(const SeamModel& m, const SeamRun& a, Index i, const SeamRun& b, Index j);
 
+/// Whether the run meets a hem, as sides do, however hollow they are under the arm of a wide sleeve; no
+/// armhole does.
+bool begins_at_hem(const SeamModel& m, const SeamRun& run);
+
+/// 1 where run r of a piece that is its own mirror image is of its right half as drawn upright, -1 of its
+/// left one, 0 where that is not known.
+int half_of(const SeamModel& m, Index r);
+
 /// Notches that meet speak for the pair, those that are left over a little against it.
 double notch_merit(const SeamRun& a, const SeamRun& b, bool along);
 

@@ -53,6 +53,18 @@ bool is_beyond_step(const SeamModel& m, const SeamRun& run) {
 /// hem.
 bool bends_little(const SeamRun& later) { return std::abs(later.angle - 180) < kPairWeights.vent_bend_deg; }
 
+/// Whether the run is of a front and goes on aslant from the middle of the body: an open neck.
+bool is_beside_middle(const SeamModel& m, const SeamRun& run) {
+  if (m.words[run.panel].kind != PieceKind::kTorso || m.words[run.panel].face <= 0) return false;
+  return rise(m, run) < kPairWeights.middle_rise &&
+         std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& middle) {
+           return middle.panel == run.panel && middle.straight &&
+                  rise(m, middle) > kPairWeights.middle_rise &&
+                  faces_right(m, middle) * faces_right(m, run) > 0 &&
+                  (&m.runs[middle.next] == &run || &m.runs[run.next] == &middle);
+         });
+}
+
 }  // namespace
 
 bool stands_out(const SeamModel& m, const SeamRun& run) {
@@ -84,7 +96,8 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
   // A fitted back is shaped a little in its middle.
   const bool back = kind == PieceKind::kTorso && m.words[run.panel].face < 0;
   if (bend_of(run) < (back ? kPairWeights.curved_deg : kPairWeights.straight_deg) &&
-      along_grain > kPairWeights.twin_straight_rise && !is_vent(m, run) && !stands_out(m, run))
+      along_grain > kPairWeights.twin_straight_rise && !is_vent(m, run) && !stands_out(m, run) &&
+      !m.opens[run.panel])
     merit += kind == PieceKind::kHood ? kPairWeights.twin_face : kPairWeights.twin_straight;
   if (run.turn.back() < kPairWeights.twin_hollow_deg && kind == PieceKind::kLegs)
     merit += kPairWeights.twin_crotch;
@@ -93,6 +106,7 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
              std::clamp((kPairWeights.twin_upright_rise - along_grain) / kPairWeights.twin_upright_width, 0.0,
                         1.0);
   if (run.open_front) merit += kPairWeights.twin_round_front;
+  if (kind == PieceKind::kLegs && begins_at_hem(m, run)) merit += kPairWeights.twin_leg_side;
   if (stands_out(m, run)) merit += kPairWeights.twin_vent;
   return merit;
 }
@@ -101,7 +115,10 @@ bool stays_open(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
   if (x.layer || y.layer) return false;
   if (a.open_front || b.open_front) return true;
-  if (a.panel != b.panel) return m.opens[a.panel] && m.twin[a.panel] == b.panel;
+  if (a.panel != b.panel) {
+    const bool neck = is_beside_middle(m, a) && is_beside_middle(m, b);
+    return (m.opens[a.panel] || neck) && m.twin[a.panel] == b.panel;
+  }
   const bool opens = std::any_of(m.opens.begin(), m.opens.end(), [](char any) { return any != 0; });
   return opens && x.kind == PieceKind::kCollar;
 }

@@ -67,15 +67,19 @@ struct PairWeights {
   double two_hems = -8;
   double crotch = 0.12;  ///< of the outline's length, a lower end that two leg openings leave at most
   double two_waists = -5;
-  double level_shoulder = 1.5;  ///< but of a front and a back, beside their necks
-  double waists_in_row = -12;   ///< the same of gores in a row
-  double side_to_hem = -4;      ///< of pieces of one kind; a side faces up or down by at most …
-  double side_up = 0.2;         ///< … this
+  double level_shoulder = 1.5;     ///< but of a front and a back, beside their necks
+  double level_shoulder_up = 0.9;  ///< how much a shoulder faces up that tells of a bodice
+  double shoulder_high = 0.25;     ///< of the piece's height, where a shoulder lies …
+  double shoulder_slope = 0.05;    ///< … and how much it rises at least that tells where the neck is
+  double waists_in_row = -12;      ///< the same of gores in a row
+  double side_to_hem = -4;         ///< of pieces of one kind; a side faces up or down by at most …
+  double side_up = 0.2;            ///< … this
   double hem_to_own_waist = -3;
-  double larger_hangs = 0.8;   ///< what hangs below is mostly the larger, a skirt from its band: so …
-  double smaller_hangs = 0.4;  ///< … and otherwise
-  double hanging_face = 1;     ///< front to front, back to back; against front to back
-  double crosses_over = -4;    ///< the left of a front to the right of a back
+  double hem_to_twins_waist = -8;  ///< a left leg does not hang from the right one
+  double larger_hangs = 0.8;       ///< what hangs below is mostly the larger, a skirt from its band: so …
+  double smaller_hangs = 0.4;      ///< … and otherwise
+  double hanging_face = 1;         ///< front to front, back to back; against front to back
+  double crosses_over = -4;        ///< the left of a front to the right of a back
   double sleeve_of_other_side = -1.5;  ///< a left sleeve to a whole front's right
   double hangs_across = -8;            ///< a front below a back that is its like: both are worn at one height
   double hangs = 1.5;                  ///< what kinds of pieces say that one hangs from the other …
@@ -97,6 +101,8 @@ struct PairWeights {
   double stays_open = -8;       ///< the edge of a front that opens, but for linings and facings; the other
                                 ///< front's edges; a collar's own ends above such fronts
   double turns_in_deg = 225;    ///< corners where a piece turns in …
+  double two_straps = -25;      ///< straps and ties are sewn to a garment
+  double strap_end = 0.2;       ///< of the outline, an end of a strap at most
   double two_corners = -4;      ///< … are of openings: two edges at such are not sewn to each other
   double never_meet = -8;       ///< kinds of pieces that are not sewn to each other …
   double only_hangs = -8;       ///< … or only where one hangs from the other
@@ -128,9 +134,11 @@ struct PairWeights {
   double collar_long = -6;          ///< pieces of a collar do not meet along an edge …
   double collar_end = 0.28;         ///< … of more than this share of their outline
   double fold_on_stand = 0.004;     ///< … but for a collar on its stand, where lengths differ by less
-  double twin_crotch = 3;           ///< legs meet along a hollow
+  double twin_crotch = 3;           ///< legs meet along a hollow …
+  double twin_leg_side = -8;        ///< … and not along what begins at their hems
   double twin_straight = 4;         ///< a straight one …
   double twin_straight_rise = 0.9;  ///< … of this rise
+  double middle_rise = 0.998;       ///< of the middle itself, from which a front's neck goes on aslant
   double vent_out_mm = 10;          ///< that a vent's edge lies beyond the middle line above it …
   double vent_bend_deg = 40;        ///< that it may bend by where its hem is turned up
   double vent_step = 0.6;           ///< … by a step of at most this share of its length …
@@ -142,7 +150,7 @@ struct PairWeights {
   double twin_upright_width = 0.1;
 
   // A piece sewn to itself: bands and sleeves are tubes, a front is none.
-  double own_front = -5;
+  double own_front = -8;
   double own_tube = 1;
   double own_tube_rise = 0.9;
   double own_piece = -1;
@@ -166,9 +174,11 @@ struct PairWeights {
 struct GarmentWeights {
   // Around a point inside the cloth 360° lie flat, 180° would be a fold's end. Degrees off that, and merits.
   double inner_flat_deg = 40, inner_fair_deg = 100;
-  double inner = 1.5;        ///< in full up to flat, none at fair
-  double inner_cone = -10;   ///< each 100° beyond fair where cloth is missing …
-  double inner_ruffle = -2;  ///< … or too much
+  double inner = 1.5;         ///< in full up to flat, none at fair
+  double inner_cone = -10;    ///< each 100° beyond fair where cloth is missing …
+  double inner_ruffle = -2;   ///< … or too much
+  double arm_shut_deg = 260;  ///< a front's side and shoulder that are both sewn meet in less: …
+  double arm_shut = -12;      ///< … no arm comes out of it
   // A border mostly runs on straight (180°) across a seam.
   double border_straight_deg = 25, border_fair_deg = 70;
   double border = 0.7;
@@ -176,26 +186,29 @@ struct GarmentWeights {
   double border_slit = -1.2;    ///< … at most where a slit ends, at 360° …
   double border_corner = -2.5;  ///< … or where the border turns in
 
-  double handle = -25;         ///< a ring sewn to a ring of the same cloth
-  double part = -2.5;          ///< cloth that hangs on nothing
-  double opening = 1.5;        ///< a way in or out for the body, beyond the first
-  int openings = 3;            ///< that count
-  double narrow = -6;          ///< a border of the bodice alone that nothing passes through: …
-  double narrow_share = 0.28;  ///< … under this share of the bodice's girth
-  double shut = -1.5;          ///< a piece without any free edge
-  double both_limbs = -10;     ///< a piece of a sleeve that is sewn to the left one and to the right one
-  double left_out = -6;        ///< a piece of the bodice that is sewn to nothing: it is no trim
-  double free_round = -2.5;    ///< openings run straight or hollow: a round edge is there to be sewn
-  double round_deg = 45;       ///< that it turns by …
-  double hem = -0.5;           ///< … unless it faces down so much
-  double mirrored = 1;         ///< the same seam on the other side
-  double torn_line = -2.5;     ///< a smooth line that is sewn up to some point of it and no further
-  double smooth_deg = 15;      ///< that it may bend by
-  double same_gather = 3;      ///< neighbours gathered alike
-  double gathered = 1.05;      ///< times the other edge's length
-  double like_gather = 0.015;  ///< share by which their ratios may differ
-  int gathers = 2;             ///< that count
-  double second_line = -10;    ///< twins meet along one line, the middle of the body, seldom along two
+  double handle = -25;          ///< a ring sewn to a ring of the same cloth
+  double part = -2.5;           ///< cloth that hangs on nothing
+  double opening = 1.5;         ///< a way in or out for the body, beyond the first
+  int openings = 3;             ///< that count
+  double narrow = -6;           ///< a border of the bodice alone that nothing passes through: …
+  double narrow_share = 0.28;   ///< … under this share of the bodice's girth, …
+  double narrow_most_mm = 300;  ///< … and this: sleeves that are cut on widen it
+  double shut = -1.5;           ///< a piece without any free edge
+  double both_limbs = -10;      ///< a piece of a sleeve that is sewn to the left one and to the right one
+  double strap_across = -6;     ///< a strap from a front to the same front …
+  double strap_crosses = -4;    ///< … or from its left to the right of the back
+  double left_out = -6;         ///< a piece of the bodice that is sewn to nothing: it is no trim
+  double free_round = -2.5;     ///< openings run straight or hollow: a round edge is there to be sewn
+  double round_deg = 45;        ///< that it turns by …
+  double hem = -0.5;            ///< … unless it faces down so much
+  double mirrored = 1;          ///< the same seam on the other side
+  double torn_line = -2.5;      ///< a smooth line that is sewn up to some point of it and no further
+  double smooth_deg = 15;       ///< that it may bend by
+  double same_gather = 3;       ///< neighbours gathered alike
+  double gathered = 1.05;       ///< times the other edge's length
+  double like_gather = 0.015;   ///< share by which their ratios may differ
+  int gathers = 2;              ///< that count
+  double second_line = -10;     ///< twins meet along one line, the middle of the body, seldom along two
 
   // Pieces are mostly drawn from their right side, and mirrored ones from the same side.
   double turned = -4;          ///< a piece from the other side …
@@ -226,6 +239,10 @@ struct SeriesWeights {
 struct CutWeights {
   double alike = 0.01;        ///< share of the length by which neighbours differ that lie end to end
   double ease = 0.045;        ///< that a long edge may have over the two
+  double ease_cap = 0.4;      ///< that a sleeve's cap may have over the armholes of a front and a back
+  double arm_least_mm = 100;  ///< of a side that goes up to the shoulder, what is left open for the arm …
+  double arm_most = 0.75;     ///< … at most this share
+  double arm_notch_mm = 15;   ///< that its notch may be off a sleeve's half
   double exact = 0.004;       ///< that lengths may differ which were drawn to fit
   double shortest_mm = 60;    ///< shorter edges are sewn to one other
   double notch_mm = 1;        ///< that the part beside a notch may differ by from the edge sewn to it
