@@ -79,6 +79,8 @@ double Arranger::rise_of_top() const {
   for (const GarmentTie& t : plan_.graph.ties) {
     if (!plan_.layout.has(t.a) || !plan_.layout.has(t.b) || plan_.layout.face[t.a] == plan_.layout.face[t.b])
       continue;
+    if (plan_.graph.pieces[t.a].strap || plan_.graph.pieces[t.b].strap)
+      continue;  // it comes over the shoulder
     SeamRun& run = runs[{t.seam, t.a, t.b}];
     run.take(plan_.layout.pose[t.a](t.at_a));
     run.take(plan_.layout.pose[t.b](t.at_b));
@@ -296,19 +298,26 @@ std::vector<int> Arranger::steps_from_trunk() const {
 }
 
 /// How far out along the arm a tube begins, m: what hangs from another one where that ends.
-double Arranger::out_of_tube(Index piece, const SleeveLine& line, double out) const {
+double Arranger::out_of_tube(Index piece, const SleeveLine& line, measure::BodySide side, double out) const {
   const std::optional<Hanging> hanging = hanging_on_arm(piece);
   if (!hanging) return out;
   const SleeveLine host = line_of_sleeve(plan_.graph, hanging->from, {hanging->from});
-  const double begin = out_of_tube(hanging->from, host, out);
+  const double begin = out_of_tube(hanging->from, host, side, out);
   const double end = std::max(0.0, dot(mean_of(hanging->there) - host.begin, host.along));
-  return begin + end + kSheetGap - dot(mean_of(hanging->mine) - line.begin, line.along);
+  const double beyond = begin + end + kSheetGap - dot(mean_of(hanging->mine) - line.begin, line.along);
+  const GarmentPiece& p = plan_.graph.pieces[piece];
+  if (p.cover != Cover::kCuff) return beyond;
+  // A cuff is narrower than a hand, and closes around the wrist however far out its sleeve begins.
+  const measure::ArmLine& arm = stand_.figure().arm[side];
+  double low = -HUGE_VAL;
+  for (const Vec2 q : p.outline) low = std::max(low, dot(q - line.begin, line.along));
+  return std::min(beyond, length(arm.wrist - arm.root) - low);
 }
 
 Arranger::Placed Arranger::tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const {
   const measure::ArmLine& arm = stand_.figure().arm[side];
   const SleeveLine line = line_of_sleeve(plan_.graph, piece, {piece});
-  const double out = out_of_tube(piece, line, kSleeveOut + trial.sleeve_out);
+  const double out = out_of_tube(piece, line, side, kSleeveOut + trial.sleeve_out);
   // What covers less of the circle would close beside the arm: narrow cuffs, which are for the wrist.
   const double around = std::max(1.1 * line.breadth, 1.6 * arm.girth);
   const double least = hanging_on_arm(piece) ? 0 : 1.2 * arm.girth;

@@ -74,7 +74,7 @@ class Arranger {
   std::vector<Placed> limb_places(measure::BodySide side, const ArrangeTrial& trial, double rise) const;
   std::optional<Hanging> hanging_on_arm(Index piece) const;
   std::vector<int> steps_from_trunk() const;
-  double out_of_tube(Index piece, const SleeveLine& line, double out) const;
+  double out_of_tube(Index piece, const SleeveLine& line, measure::BodySide side, double out) const;
   Placed tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const;
   std::vector<Placed> hood_places(double rise) const;
   std::vector<Placed> band_places(double rise) const;

@@ -18,6 +18,18 @@ namespace toile::arrange {
 
 namespace {
 
+/// Whether the band is sewn to a top alone, whose hem it is then.
+bool ends_top(const GarmentGraph& graph, Index band) {
+  if (graph.pieces[band].cover != Cover::kWaistband) return false;
+  bool any = false;
+  for (const GarmentTie& t : graph.ties) {
+    if (t.a == t.b || (t.a != band && t.b != band)) continue;
+    if (graph.pieces[t.a == band ? t.b : t.a].cover != Cover::kTorso) return false;
+    any = true;
+  }
+  return any;
+}
+
 constexpr double kClose = 0.012;  // m, strips lie nearer than sheets, so that their ends meet
 constexpr double kSteepest = 0.6, kOffHips = 0.03;  // of a skirt's cone, as WrappedPlacement::slope; m
 /// As kLeastAround, of the trunk, which is flatter than round: the way that closes a tube runs behind it
@@ -207,7 +219,8 @@ sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
     if (t.a == t.b || (t.a != p && t.b != p) || !tells_of_band(p, t.a == p ? t.b : t.a)) continue;
     sewn.push_back(t.a == p ? t.at_a : t.at_b);
   }
-  const bool downwards = piece.cover == Cover::kCuff || (piece.cover == Cover::kSkirt && is_top());
+  const bool downwards =
+      piece.cover == Cover::kCuff || (piece.cover == Cover::kSkirt && is_top()) || ends_top(plan_.graph, p);
   hang_by(sewn, downwards, p, w);
   w.height += downwards ? -kSheetGap : kSheetGap;
   w.angle = angle_of_band(p, w);

@@ -169,6 +169,7 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
     measure(piece);
     piece.sewn.assign(piece.outline.size(), false);
     piece.grain = meshes.panels[p].warp;
+    piece.strap = seams::words_of(piece.id).kind == seams::PieceKind::kStrap;
     piece.cover = cover_of_name(piece.id);
     const seams::PieceWords words = seams::words_of(piece.id);
     piece.face = face_of_name(piece.id);

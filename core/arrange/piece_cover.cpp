@@ -106,6 +106,9 @@ int face_of_name(const std::string& name) {
 }
 
 Cover cover_of_name(const std::string& name) {
+  const seams::PieceWords told = seams::words_of(name);  // of several words, as "hem band" and "neck rib"
+  if (told.hem_band) return Cover::kWaistband;
+  if (told.kind == seams::PieceKind::kCollar) return Cover::kCollar;
   const std::vector<std::string> words = words_of_name(name);
   for (const CoverWord& known : kWords) {
     const bool met = std::any_of(words.begin(), words.end(), [&](const std::string& w) {
