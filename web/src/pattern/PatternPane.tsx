@@ -4,7 +4,6 @@
 import { useComputed, useSignalEffect, type ReadonlySignal } from '@preact/signals';
 import type { Piece, Pieces, SeamSides } from '../api/types';
 import { useCommands } from '../commands/context';
-import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { add } from '../state/outline';
 import { layOut, type PlacedPiece } from '../state/patternGeometry';
@@ -65,7 +64,7 @@ export function PatternPane() {
 function usePlaces(): ReadonlySignal<PlacedPiece[]> {
   const state = useAppState();
   const { offsets } = state.editing;
-  const placed = useComputed(() => layOut(valueOf(state.pieces.value ?? loading)?.pieces ?? [], offsets.value));
+  const placed = useComputed(() => layOut(state.sewn.value.pieces, offsets.value));
   useSignalEffect(() => {
     const next = new Map(placed.value.map((one) => [one.piece.id, one.offset]));
     const known = offsets.peek();
@@ -85,13 +84,14 @@ function Plane({ pieces, tool }: { pieces: Pieces; tool: PatternTool }) {
   const hands = useHands({ hand: { state, commands }, tool, view: () => plane.view.value, move: plane.move, worldOf: plane.worldOf });
   const { held } = hands;
   const shown = pieces.pieces.map((piece) => (held?.piece === piece.id ? held.shown(piece) : piece));
-  const seams = useSeams({ ...pieces, pieces: shown });
+  const sewn = { ...pieces, pieces: shown };
+  const seams = useSeams(sewn);
   return (
     <>
       <Sheet pieces={pieces} places={placedAs(placed.value, shown, held)} {...{ tool, plane, hands, seams }} />
       <PatternTools />
       <ViewButtons plane={plane} />
-      <PatternNote pieces={shown} tool={tool} held={held} lit={seams.lit} />
+      <PatternNote pieces={sewn} tool={tool} held={held} lit={seams.lit} />
     </>
   );
 }

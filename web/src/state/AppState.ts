@@ -21,6 +21,7 @@ import type { Route } from './routes';
 import { SectionState } from './SectionState';
 import { stepText, withSewn, type Known } from './steps';
 import { SweepState } from './sweeps';
+import type { Sewn } from './seamNames';
 import { seamParts, type SeamPart } from './seamView';
 import { isOfPrints, looksOf, type Look } from './texture';
 import { standsAs, VersionState } from './versions';
@@ -167,9 +168,12 @@ export class AppState {
     () => valueOf(this.projects.value)?.find((project) => project.id === this.projectId.value) ?? null,
   );
 
+  /** What there is of the pattern. */
+  readonly sewn: ReadonlySignal<Sewn> = computed(() => valueOf(this.pieces.value ?? loading) ?? { pieces: [], seams: [] });
+
   /** Pictures on pieces, by the piece's id. */
   readonly looks: ReadonlySignal<ReadonlyMap<string, Look>> = computed(() =>
-    looksOf(valueOf(this.pieces.value ?? loading)?.pieces ?? [], this.project.value, this.pictures.value),
+    looksOf(this.sewn.value.pieces, this.project.value, this.pictures.value),
   );
 
 
@@ -261,8 +265,7 @@ export class AppState {
   /** What the steps of the history are about. */
   readonly known: ReadonlySignal<Known> = computed(() => {
     const { fabrics, history, seamsSeen } = this.editing;
-    const pieces = valueOf(this.pieces.value ?? loading)?.pieces ?? [];
-    return withSewn({ pieces, seams: seamsSeen.value, fabrics: fabrics.value }, history.value);
+    return withSewn({ pieces: this.sewn.value.pieces, seams: seamsSeen.value, fabrics: fabrics.value }, history.value);
   });
 
   /** What was done to the project after its drape had begun, newest first; null while the drape is as new as the project. */

@@ -2,7 +2,7 @@
 
 import type { Edit, EditStep, Fabric, Piece, SeamSides } from '../api/types';
 import { fabricTitle } from './fabrics';
-import { edgeWords, isGivenSeam, seamWords } from './seamView';
+import { edgeWords, isGivenSeam, seamWords } from './seamNames';
 import { t } from '../texts/language';
 
 /** What steps may be about. */
