@@ -74,19 +74,33 @@ describe('a seam', () => {
     ];
     const sewn = { pieces: shirt, seams };
     expect(seams.map(({ id }) => seamTitle(sewn, id))).toEqual([
-      '1 front · top right, higher to back · top left, higher',
-      '2 back · top right, higher to front · top left, higher',
+      '1 front · top right to back · top left',
+      '2 back · top right to front · top left',
       '3 front · right to back · left',
       '4 front · left to back · right',
       '5 hem',
     ]);
   });
 
+  it('that closes a dart says so, and which of two at the same place', () => {
+    // Two darts from the waist of a skirt, legs e1 e2 and e4 e5.
+    const skirt = pieceOf('skirt', [[0, 0], [30, 0], [35, 40], [40, 0], [60, 0], [65, 40], [70, 0], [100, 0], [100, 100], [0, 100]]);
+    const seams = [seamOf('s0', ['skirt', 'e1'], ['skirt', 'e2']), seamOf('s1', ['skirt', 'e4'], ['skirt', 'e5'])];
+    const sewn = { pieces: [skirt], seams };
+    expect(seams.map(({ id }) => seamTitle(sewn, id))).toEqual([
+      '1 skirt, dart · bottom, further left',
+      '2 skirt, dart · bottom, further right',
+    ]);
+    expect(seamTitle({ ...sewn, seams: seams.slice(1) }, 's1')).toBe('1 skirt, dart · bottom');
+    // Two sides of a corner make a bag, not a dart.
+    expect(seamTitle({ ...sewn, seams: [seamOf('s0', ['skirt', 'e7'], ['skirt', 'e8'])] }, 's0')).toBe('1 skirt, to itself');
+  });
+
   it('over many edges is called by the place of its sides, or by their pieces where those are many', () => {
     const run = { ...seamOf('s1', ['a', 'e0'], ['b', 'e3']), a: [use('a', 'e0'), use('a', 'e1')] };
-    expect(seamWords(run, pieces)).toBe('a · bottom right to b · left');
+    expect(seamWords(run, { pieces, seams: [run] })).toBe('a · bottom right to b · left');
     const series = ['a', 'b', 'c'].map((piece) => use(piece, 'e0'));
-    expect(seamWords({ ...run, a: series }, pieces)).toBe('a and b and c to b · left');
+    expect(seamWords({ ...run, a: series }, { pieces, seams: [] })).toBe('a and b and c to b · left');
   });
 
   it('names each edge of a side, and which part of it', () => {

@@ -2,6 +2,7 @@
 // those are drawn. Pure.
 
 import type { Piece, PieceEdge, Point, SeamEdge, SeamSides } from '../api/types';
+import { distance, mix } from './outline';
 import { boxOf, type Box } from './patternGeometry';
 import { alongLine, middleOf } from './seamView';
 import { t } from '../texts/language';
@@ -29,12 +30,7 @@ export function edgeWords(piece: Piece | undefined, id: string): string {
 export function edgeTitles(piece: Piece): ReadonlyMap<string, string> {
   const box = boxOf(piece.outline);
   const places = piece.edges.map((edge) => (kGivenEdge.test(edge.id) ? middleOfEdge(edge) : null));
-  const words = places.map((place, i) => (place ? placeWords(place, box) : piece.edges[i]!.id));
-  const titles = words.map((word, i) => {
-    const alike = words.flatMap((other, k) => (other === word ? [k] : []));
-    const more = moreWords(alike.map((k) => places[k] ?? null));
-    return alike.length > 1 ? more(word, alike.indexOf(i)) : word;
-  });
+  const titles = toldApart(places.map((at, i) => ({ words: at ? placeWords(at, box) : piece.edges[i]!.id, at })));
   return new Map(piece.edges.map((edge, i) => [edge.id, titles[i]!]));
 }
 
@@ -57,16 +53,28 @@ function aside(value: number, from: number, to: number, low: string, high: strin
   return place > 0 ? high : low;
 }
 
-/** What to add to a word that two places share, along the axis that they differ by most; more than two are counted. */
-function moreWords(places: readonly (Point | null)[]): (word: string, index: number) => string {
-  const [one, other] = places;
-  if (places.length !== 2 || !one || !other) return (word, i) => `${word} (${i + 1})`;
+/** Words for something, and where it lies. */
+interface Told {
+  words: string;
+  at: Point | null;
+}
+
+/** The same words are added to by the axis along which two places differ most; more than two are counted. */
+function toldApart(all: readonly Told[]): string[] {
+  return all.map((one) => {
+    const alike = all.filter(({ words }) => words === one.words);
+    if (alike.length === 1) return one.words;
+    const other = alike.find((each) => each !== one)!;
+    const further = alike.length === 2 && one.at && other.at ? furtherWords(one.at, other.at) : '';
+    return further ? `${one.words}, ${further}` : `${one.words} (${alike.indexOf(one) + 1})`;
+  });
+}
+
+function furtherWords([x, y]: Point, [otherX, otherY]: Point): string {
   const { higher, lower, furtherLeft, furtherRight } = t.pattern.apart;
-  const [dx, dy] = [other[0] - one[0], other[1] - one[1]];
-  const upright = Math.abs(dy) >= Math.abs(dx);
-  const [low, high] = upright ? [lower, higher] : [furtherLeft, furtherRight];
-  const rising = (upright ? dy : dx) > 0;
-  return (word, i) => `${word}, ${rising === (i === 1) ? high : low}`;
+  const [dx, dy] = [x - otherX, y - otherY];
+  if (Math.abs(dy) >= Math.abs(dx)) return dy > 0 ? higher : lower;
+  return dx > 0 ? furtherRight : furtherLeft;
 }
 
 // ---- sides of a seam
@@ -83,7 +91,7 @@ export const seriesText = (series: readonly SeamEdge[], pieces: readonly Piece[]
 /** So many pieces of a side can be told with a place on each. */
 const kPlaced = 2;
 
-/** "front · right": edges that follow each other on a piece as one. */
+/** "front · right": edges that follow each other on a piece as one, by its name or where its middle lies. */
 function sideText(series: readonly SeamEdge[], pieces: readonly Piece[]): string {
   const ids = idsOf(series);
   if (ids.length > kPlaced) return listed(ids);
@@ -93,7 +101,8 @@ function sideText(series: readonly SeamEdge[], pieces: readonly Piece[]): string
 function runText(id: string, run: readonly SeamEdge[], pieces: readonly Piece[]): string {
   const piece = pieceNamed(pieces, id);
   const middle = middleOf(pieces, run);
-  if (run.length === 1 || !piece || !middle) return seriesText(run, pieces);
+  const named = run.length === 1 && !kGivenEdge.test(run[0]!.edge);
+  if (named || !piece || !middle) return seriesText(run, pieces);
   return `${id} · ${placeWords(middle, boxOf(piece.outline))}`;
 }
 
@@ -108,31 +117,60 @@ function joins({ a, b }: SeamSides): string {
   return from === to ? t.pattern.toItself(from) : t.pattern.joins(from, to);
 }
 
-/** A seam by where it lies on each piece that it joins. */
-const byPlace = ({ a, b }: SeamSides, pieces: readonly Piece[]): string =>
-  t.pattern.joins(sideText(a, pieces), sideText(b, pieces));
+/** So far apart are ends that meet at most, mm. */
+const kMeeting = 0.1;
 
-/** A seam without its number: its name, or the edges that it joins. */
-export const seamWords = (seam: SeamSides, pieces: readonly Piece[]): string =>
-  isGivenSeam(seam.id) ? byPlace(seam, pieces) : seam.id;
+/** Where a dart is open, if the seam is one: two edges that go into their piece and out again at a point. */
+function mouthOf({ a, b }: SeamSides, pieces: readonly Piece[]): Point | null {
+  const [one, other] = [a[0], b[0]];
+  if (a.length !== 1 || b.length !== 1 || !one || one.piece !== other?.piece) return null;
+  const edges = pieceNamed(pieces, one.piece)?.edges ?? [];
+  const [leg, otherLeg] = [one, other].map((use) => edges.find(({ id }) => id === use.edge)?.points ?? []);
+  return wedge(leg!, otherLeg!) ?? wedge(otherLeg!, leg!);
+}
+
+/** The middle between the outer ends of two legs in the outline's order, counter-clockwise, that meet at a tip in the cloth. */
+function wedge(leg: readonly Point[], next: readonly Point[]): Point | null {
+  const [from, tip, to] = [leg[0], leg[leg.length - 1], next[next.length - 1]];
+  if (!from || !tip || !to || distance(tip, next[0]!) > kMeeting) return null;
+  const turn = (tip[0] - from[0]) * (to[1] - tip[1]) - (tip[1] - from[1]) * (to[0] - tip[0]);
+  return turn < 0 ? mix(from, to, 0.5) : null;
+}
+
+/** A seam by where it lies on each piece that it joins. */
+function byPlace(seam: SeamSides, pieces: readonly Piece[]): Told {
+  const mouth = mouthOf(seam, pieces);
+  const piece = mouth && pieceNamed(pieces, seam.a[0]!.piece);
+  if (piece) return { words: t.pattern.dartAt(piece.id, placeWords(mouth, boxOf(piece.outline))), at: mouth };
+  return { words: t.pattern.joins(sideText(seam.a, pieces), sideText(seam.b, pieces)), at: middleOf(pieces, seam.a) };
+}
 
 /** Whatever is sewn to what. */
 const partners = ({ a, b }: SeamSides): string => [...new Set([...idsOf(a), ...idsOf(b)])].sort().join('\n');
 
-/** Of seams with the same partners, all without names. */
-function isAlike(seam: SeamSides, seams: readonly SeamSides[]): boolean {
+/** Seams without names between the same pieces by where they lie on those, all others of the same pieces beside them. */
+function seamPlaced(seam: SeamSides, { pieces, seams }: Sewn): string {
   const own = partners(seam);
-  return seams.filter((other) => isGivenSeam(other.id) && partners(other) === own).length > 1;
+  const alike = seams.filter((other) => isGivenSeam(other.id) && partners(other) === own);
+  const told = toldApart(alike.map((one) => byPlace(one, pieces)));
+  return told[alike.findIndex(({ id }) => id === seam.id)] ?? byPlace(seam, pieces).words;
 }
+
+/** A seam without its number: its name, or where it lies on the pieces that it joins. */
+export const seamWords = (seam: SeamSides, sewn: Sewn): string => (isGivenSeam(seam.id) ? seamPlaced(seam, sewn) : seam.id);
+
+/** No other seam without a name joins the same pieces. */
+const isAlone = (seam: SeamSides, seams: readonly SeamSides[]): boolean =>
+  seams.every((other) => other.id === seam.id || !isGivenSeam(other.id) || partners(other) !== partners(seam));
 
 /**
  * A seam as a person would call it: its number on the pattern with its name, or with the pieces that it joins, and where on
  * them it lies when other seams join the same.
  */
-export function seamTitle({ pieces, seams }: Sewn, id: string): string {
-  const index = seams.findIndex((seam) => seam.id === id);
-  const seam = seams[index];
+export function seamTitle(sewn: Sewn, id: string): string {
+  const index = sewn.seams.findIndex((seam) => seam.id === id);
+  const seam = sewn.seams[index];
   if (!seam) return id;
-  const words = isGivenSeam(id) && !isAlike(seam, seams) ? joins(seam) : seamWords(seam, pieces);
-  return `${index + 1} ${words}`;
+  const alone = isGivenSeam(id) && isAlone(seam, sewn.seams) && !mouthOf(seam, sewn.pieces);
+  return `${index + 1} ${alone ? joins(seam) : seamWords(seam, sewn)}`;
 }

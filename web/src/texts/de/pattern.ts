@@ -142,5 +142,6 @@ export const pattern: Texts['pattern'] = {
   },
   and: 'und',
   toItself: (pieces) => `${pieces}, an sich selbst`,
+  dartAt: (piece, place) => `${piece}, Abnäher · ${place}`,
   joins: (from, to) => `${from} an ${to}`,
 };

@@ -142,5 +142,6 @@ export const pattern = {
   },
   and: 'and',
   toItself: (pieces: string) => `${pieces}, to itself`,
+  dartAt: (piece: string, place: string) => `${piece}, dart · ${place}`,
   joins: (from: string, to: string) => `${from} to ${to}`,
 };
