@@ -4,7 +4,8 @@
 import { useId } from 'preact/hooks';
 import type { Notch, Piece, Point } from '../api/types';
 import { piecePath } from '../state/outline';
-import { boxOf, cssColour, type Box, type PlacedPiece } from '../state/patternGeometry';
+import type { PlacedPiece } from '../state/layout';
+import { boxOf, cssColour, type Box } from '../state/patternGeometry';
 import { patternTransform, type Look } from '../state/texture';
 import { t } from '../texts/language';
 import { patternFigure, patternLength } from '../texts/units';
