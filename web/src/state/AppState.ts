@@ -4,9 +4,11 @@ import { computed, signal, type ReadonlySignal, type Signal } from '@preact/sign
 import type { ApiError } from '../api/http';
 import type { BodyMesh } from '../api/body';
 import type { StreamConnection } from '../api/JobStream';
+import type { MapFile } from '../api/maps';
 import type { Picture } from '../api/pictures';
 import type { EditStep, Fabric, Job, Pieces, Progress, Project, Report, SeenPieces, Session } from '../api/types';
 import type { ClothMap, MapKind } from './clothMaps';
+import { missingMaps, type MissingMaps } from './keptMaps';
 import type { AdminView } from './admin';
 import { ComparisonState } from './comparison';
 import { DressingState, type Marks } from './dressing';
@@ -130,6 +132,13 @@ export class AppState {
   readonly meshShown: Signal<boolean> = signal(false);
   /** What the cloth is coloured by; null: as it looks. */
   readonly mapKind: Signal<MapKind | null> = signal(null);
+  /** What ended drapes have left of maps, by their ids, as it is wanted. */
+  readonly mapFiles: Signal<ReadonlyMap<string, MapFile>> = signal(new Map());
+  /** Which maps of the drape that is shown are not to be had. */
+  readonly missingMaps: ReadonlySignal<MissingMaps> = computed(() => {
+    const body = valueOf(this.body.value ?? loading);
+    return missingMaps(this.job.value, body !== null && body.indices.length === 0);
+  });
   /** Of the newest moment that was measured. */
   readonly clothMap: Signal<ClothMap | null> = signal(null);
   /** The map's value under the pointer; NaN: none. */
