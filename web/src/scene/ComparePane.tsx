@@ -170,6 +170,8 @@ function follow(
       view.setBody(drape?.body ?? null);
       view.show(Boolean(drape?.body), false);
       if (!drape) return;
+      view.setLooks(drape.looks);
+      view.setFinishes(drape.finishes);
       live.setTopology(drape.topology);
       live.setPositions(drape.positions, { epoch: 0, seq: 1, step: 0, time: 0 });
     }),

@@ -13,7 +13,7 @@ import type { AdminView } from './admin';
 import { ComparisonState } from './comparison';
 import { DressingState, type Marks } from './dressing';
 import { EditingState, keepsTheShape } from './editing';
-import { finishOf, type Finish } from './fabrics';
+import { finishesOf, type Finish } from './fabrics';
 import { HandsState } from './hands';
 import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
@@ -216,13 +216,11 @@ export class AppState {
     return looksOf(draped.pieces, this.project.value, this.pictures.value);
   });
 
-  /** How light plays on that cloth, by the piece's id; pieces of fabrics that nothing is known of are left out. */
+  /** How light plays on that cloth. */
   readonly finishes: ReadonlySignal<ReadonlyMap<string, Finish>> = computed(() => {
     const draped = this.draped_.value;
     const fabrics: readonly Fabric[] = draped?.fabrics ?? this.editing.fabrics.value;
-    const known = new Map(fabrics.map((fabric) => [fabric.name, finishOf(fabric)]));
-    const pieces = (draped ?? valueOf(this.pieces.value ?? loading))?.pieces ?? [];
-    return new Map(pieces.flatMap(({ id, fabric }) => (known.has(fabric) ? [[id, known.get(fabric)!]] : [])));
+    return finishesOf((draped ?? this.sewn.value).pieces, fabrics);
   });
 
   /** The newest word of the cloth that is shown comes from its drape, and the way there is open. */

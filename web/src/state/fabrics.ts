@@ -1,6 +1,6 @@
 // Fabrics of the library as a person chooses them: what they are, how they fall and give, and which fit some words. Pure.
 
-import type { Fabric } from '../api/types';
+import type { Fabric, Piece } from '../api/types';
 import { fixed, plain } from '../texts/numbers';
 import { library, t, type FabricWords } from '../texts/language';
 
@@ -78,6 +78,12 @@ export function finishOf(fabric: Pick<Fabric, 'name' | 'title' | 'fibre' | 'weav
   const words = `${fabric.name} ${fabric.title} ${fabric.fibre} ${fabric.weave} ${fabric.construction}`.toLowerCase();
   const found = kFinishes.find(([pattern]) => pattern.test(words))?.[1] ?? kPlainFinish;
   return { roughness: found.roughness, sheen: found.sheen, weave: weaveOf(fabric), thickness: fabric.thickness_mm / 1000 };
+}
+
+/** Of pieces, by their ids; those of fabrics that nothing is known of are left out. */
+export function finishesOf(pieces: readonly Pick<Piece, 'id' | 'fabric'>[], fabrics: readonly Fabric[]): ReadonlyMap<string, Finish> {
+  const known = new Map(fabrics.map((fabric) => [fabric.name, finishOf(fabric)]));
+  return new Map(pieces.flatMap(({ id, fabric }) => (known.has(fabric) ? [[id, known.get(fabric)!]] : [])));
 }
 
 /** What it is called, made of and used for, in the language that is spoken where the page has words for it. */
