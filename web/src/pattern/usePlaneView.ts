@@ -9,8 +9,8 @@ import { useSizeOf } from './useSizeOf';
 import { fit, panned, viewBox, zoomed, type Rim, type Viewport } from './Viewport';
 
 const kWheelStep = 1.0015;
-/** Clear of the tools above, of the note and the buttons below, as styles/pattern.css has them. */
-const kRim: Rim = { side: 14, top: 50, bottom: 50 };
+/** Clear of the tools above, of the buttons and two lines of the note below, as styles/pattern.css has them. */
+const kRim: Rim = { side: 14, top: 50, bottom: 58 };
 /** Both are higher where fingers press them, as styles/touch.css says. */
 const kFinger = '--finger';
 const fingerPx = (of: Element | null): number => (of && parseFloat(getComputedStyle(of).getPropertyValue(kFinger))) || 0;

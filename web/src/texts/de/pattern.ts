@@ -123,7 +123,7 @@ export const pattern: Texts['pattern'] = {
   zoomOutKey: 'Verkleinern (−)',
   zoomOut: 'Verkleinern',
   fitKey: 'Alle Teile einpassen (F)',
-  fit: 'Einpassen',
+  fit: 'Alle',
   zoomInKey: 'Vergrößern (+)',
   zoomIn: 'Vergrößern',
   equal: 'gleich',
