@@ -40,7 +40,7 @@ function Head({ sweep, sweeps }: { sweep: Sweep; sweeps: Pick<SweepApi, 'sweepUr
         </p>
         {!sweep.ended && (
           <span class="bar" role="progressbar" aria-label={t.sweep.progress} aria-valuenow={Math.round(100 * sweep.fraction)}>
-            <i style={{ width: percent(sweep.fraction, 1).replace(' ', '') }} />
+            <i style={{ width: `${100 * sweep.fraction}%` }} />
           </span>
         )}
       </div>
@@ -117,7 +117,7 @@ function Cell({ cell, title, resultUrl }: { cell: SweepCell; title: string } & P
         )}
         {active && (
           <span class="hairbar">
-            <i style={{ width: percent(cell.fraction, 1).replace(' ', '') }} />
+            <i style={{ width: `${100 * cell.fraction}%` }} />
           </span>
         )}
       </span>

@@ -69,7 +69,7 @@ function lengthsOf(pieces: Pieces, lit: ShownSeam | null, both_mm: readonly [num
   const drafted = lit.seam.id === kDraftSeam;
   return (
     <>
-      <b>{drafted ? t.pattern.newSeam : seamTitle(pieces, lit.seam.id)}</b> {lengths} · {difference}
+      <b>{drafted ? t.pattern.newSeam : seamTitle(pieces, lit.seam.id)}</b> <span class="figures">{lengths}</span> · {difference}
       {drafted && both && (
         <>
           {' · '}
