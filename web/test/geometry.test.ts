@@ -5,7 +5,7 @@ import { nameThatFits } from '../src/pattern/PieceShape';
 import { fit, panned, zoomed } from '../src/pattern/Viewport';
 import { boundsOf, footprints, poseFor } from '../src/scene/framing';
 import { rimEdges, seamEdges, shareNormals, vertexNormals, verticesAlong, weldGroups, widestGap } from '../src/scene/surface';
-import { cssColour, cutLine, insideOf } from '../src/state/patternGeometry';
+import { cssColour, cutLine, insideOf, spanAt } from '../src/state/patternGeometry';
 
 /** Two squares that meet at x = 1 at a right angle; vertices 1, 2 are sewn to 4, 7. */
 const positions = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, -1, 1, 1, -1, 1, 1, 0]);
@@ -90,6 +90,14 @@ describe('flat pieces', () => {
       [0, 20],
     ]);
     expect((x > 80 && y < 100) || y < 20).toBe(true);
+  });
+
+  it('are as wide as their cloth where the name stands', () => {
+    const trousers: [number, number][] = [[0, 0], [40, 0], [50, 60], [60, 0], [100, 0], [100, 100], [0, 100]];
+    expect(spanAt(trousers, [20, 30])).toBe(45);
+    expect(spanAt(trousers, [80, 30])).toBe(45);
+    expect(spanAt(trousers, [50, 80])).toBe(100);
+    expect(spanAt(trousers, [-5, 30])).toBe(0);
   });
 
   it('have as much of their name as fits', () => {

@@ -5,7 +5,7 @@ import { useId } from 'preact/hooks';
 import type { Notch, Piece, Point } from '../api/types';
 import { piecePath } from '../state/outline';
 import type { PlacedPiece } from '../state/layout';
-import { boxOf, cssColour, type Box } from '../state/patternGeometry';
+import { boxOf, cssColour, spanAt, type Box } from '../state/patternGeometry';
 import { patternTransform, type Look } from '../state/texture';
 import { t } from '../texts/language';
 import { patternFigure, patternLength } from '../texts/units';
@@ -104,7 +104,7 @@ function Label({ placed, scale }: { placed: PlacedPiece; scale: number }) {
   const across = (box.maxX - box.minX) * scale;
   const down = (box.maxY - box.minY) * scale;
   const at = labelAt(placed);
-  const name = Math.min(across, down * 2.2) > kNamePx ? nameThatFits(piece.id, across - 6) : '';
+  const name = Math.min(across, down * 2.2) > kNamePx ? nameThatFits(piece.id, spanAt(piece.outline, at) * scale - 6) : '';
   return (
     <>
       {piece.grain && Math.min(across, down) > kNamePx && (

@@ -58,6 +58,13 @@ export function insideOf(outline: readonly Point[]): Point {
   return best;
 }
 
+/** How wide an outline is on the level of a point within it. */
+export function spanAt(outline: readonly Point[], [x, y]: Point): number {
+  const cuts = cutsAt(outline, y);
+  const after = cuts.findIndex((cut) => cut > x);
+  return after > 0 ? cuts[after]! - cuts[after - 1]! : 0;
+}
+
 function cutsAt(outline: readonly Point[], y: number): number[] {
   const cuts: number[] = [];
   outline.forEach(([x0, y0], i) => {
