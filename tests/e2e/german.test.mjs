@@ -101,6 +101,16 @@ describe('the page in German', () => {
     await page.getByRole('button', { name: /^Rückgängig: Länge festlegen/ }).click();
   });
 
+  it('calls the fabrics of the library by German names, and finds them by those', async () => {
+    await page.locator('.plane').press('Escape');
+    await button('Ändern').click();
+    await page.getByRole('searchbox', { name: 'Stoff suchen' }).fill('seide kleider');
+    await page.locator('.fabric-library').getByText('Seidencharmeuse, 19 Momme').waitFor();
+    assert.ok((await page.locator('.fabric-library li b').allTextContents()).every((title) => title.startsWith('Seide')));
+    await looks('de-8b-fabrics');
+    await page.getByRole('button', { name: 'Behalten', exact: true }).click();
+  });
+
   it('goes through the start page, the keys, an import and what went wrong', async () => {
     await page.getByRole('link', { name: 'Toile, Startseite' }).click();
     await page.getByRole('heading', { name: 'Sehen Sie Ihren Schnitt am Körper' }).waitFor();

@@ -220,9 +220,11 @@ describe('the page', () => {
     await page.locator('dialog.enlarged').waitFor({ state: 'detached' });
   });
 
-  it('colours the cloth by its strain and by its room to the body, on the flat pieces too', async () => {
+  it('colours the cloth by all its maps, on the flat pieces too', async () => {
     for (const [kind, title] of [
       ['weft', 'Stretch along the weft'],
+      ['curvature', 'Curvature'],
+      ['pressure', 'Pressure on the skin'],
       ['room', 'Room to the body'],
     ]) {
       await page.getByLabel('Colour the cloth by').selectOption(kind);

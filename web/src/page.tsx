@@ -201,7 +201,7 @@ new Comparer(state, api).start();
 commands.sweeps.start();
 commands.admin.start();
 commands.versions.start();
-new MapKeeper(state).start();
+new MapKeeper(state, (job, name) => api.resultText(job, name)).start();
 new SectionKeeper(state, makeDressingApi()).start();
 effect(() => {
   if (state.atWork.value) untracked(() => commands.tours.greet());

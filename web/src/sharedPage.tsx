@@ -41,7 +41,7 @@ export function startShared(secret: string, root: HTMLElement): void {
   const drawn = (): void => void (hook.drawn += 1);
   const again = (): void => void keeper.again();
 
-  new MapKeeper(state).start();
+  new MapKeeper(state, null).start();
   effect(() => {
     const job = valueOf(shared.job.value);
     document.title = job ? `${job.name} · Toile` : 'Toile';

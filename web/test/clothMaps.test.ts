@@ -3,7 +3,7 @@ import type { ClothTopology } from '../src/api/frames';
 import { BodySurface } from '../src/state/BodySurface';
 import { MapKeeper } from '../src/commands/MapKeeper';
 import { AppState, ready } from '../src/state/AppState';
-import { bandEnds, bandOf, bandPaths, mapOf, nextMap, roomValues, strainValues, valueAt, valueText } from '../src/state/clothMaps';
+import { bandEnds, bandOf, bandPaths, mapOf, nextMap, roomValues, strainValues, valueAt, valueText, type MapKind } from '../src/state/clothMaps';
 
 /** A square of 10 cm, cut in two triangles, as one piece. */
 const square: ClothTopology = {
@@ -96,7 +96,7 @@ describe('the map that is shown', () => {
   const moment = { epoch: 0, seq: 1, step: 1, time: 0 };
   const draped = (): AppState => {
     const state = new AppState();
-    new MapKeeper(state).start();
+    new MapKeeper(state, null).start();
     state.cloth.setTopology(square);
     state.cloth.setPositions(laid(1.02, 1), moment);
     return state;
@@ -127,7 +127,11 @@ describe('the map that is shown', () => {
   });
 
   it('is followed by the next, and the last by the cloth as it looks', () => {
-    expect(nextMap(null)).toBe('warp');
-    expect(nextMap('room')).toBeNull();
+    const all = (): boolean => false;
+    expect(nextMap(null, all)).toBe('warp');
+    expect(nextMap('pressure', all)).toBeNull();
+    const whileItDrapes = (kind: MapKind): boolean => kind === 'curvature' || kind === 'pressure';
+    expect(nextMap('room', whileItDrapes)).toBeNull();
+    expect(nextMap('curvature', whileItDrapes)).toBeNull();
   });
 });

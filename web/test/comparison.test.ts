@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { ApiError } from '../src/api/http';
 import type { Job } from '../src/api/types';
 import { Comparer } from '../src/commands/Comparer';
@@ -6,8 +6,8 @@ import { AppState } from '../src/state/AppState';
 import { apart, comparable, comparedOf, comparisonRows, type ComparedDrape } from '../src/state/comparison';
 import { ofOneScale, mapOf } from '../src/state/clothMaps';
 import { formatRoute, parseRoute } from '../src/state/routes';
-import { jobOf, seenOf } from './fakes';
-import { reportOf } from './samples';
+import { jobOf, projectOf, seenOf } from './fakes';
+import { fabricOf, reportOf } from './samples';
 
 const ended = (id: string, more: Partial<Job> = {}): Job =>
   jobOf({ id, state: 'succeeded', results: { 'final.obj': 9, 'report.json': 9 }, ...more });
@@ -29,6 +29,8 @@ const drape = (y: number, more: Partial<ComparedDrape> = {}): ComparedDrape => (
   positions: new Float32Array([0, y, 0, 1, y, 0]),
   body: null,
   pieces: [],
+  looks: new Map(),
+  finishes: new Map(),
   report: null,
   ...more,
 });
@@ -87,6 +89,8 @@ describe('the comparer', () => {
     report: () => Promise.resolve(reportOf()),
     seenPieces: () => Promise.resolve({ pieces: [seenOf('front', { colour: [0, 1, 0] })], fabrics: [] }),
     body: () => Promise.reject(new ApiError(404, 'job.no_body', 'it hung free')),
+    project: () => Promise.resolve(projectOf({ files: { 'dots.png': 'as_1', 'lost.png': 'as_2' } })),
+    assetUrl: (id: string) => `/assets/${id}`,
   });
 
   it('fetches both as the address names them, and lets go when it names none', async () => {
@@ -106,6 +110,26 @@ describe('the comparer', () => {
     expect(service.asked).toEqual(['j_1', 'j_2', 'j_3']);
     state.route.value = { name: 'home' };
     expect(state.comparison.left.value).toBeNull();
+    comparer.stop();
+  });
+
+  it('shows each with the pictures and the cloth that it was draped with', async () => {
+    const state = new AppState();
+    const printed = (id: string, image: string) => seenOf(id, { texture: { image, scale_mm: 80, offset: [0, 0], angle: 0 } });
+    const seen = (id: string) => ({ pieces: id === 'j_1' ? [printed('front', 'dots.png'), printed('back', 'lost.png')] : [seenOf('front')], fabrics: [fabricOf('f')] });
+    const service = { ...serviceOf(), seenPieces: (id: string) => Promise.resolve(seen(id)) };
+    const load = async (url: string) => {
+      if (url.endsWith('as_2')) throw new Error('it is gone');
+      return { url, width: 2, height: 1, image: {} as CanvasImageSource };
+    };
+    const comparer = new Comparer(state, service, load);
+    comparer.start();
+    state.route.value = { name: 'compare', left: 'j_1', right: 'j_2' };
+    await vi.waitFor(() => expect(comparedOf(state.comparison.left.value)).not.toBeNull());
+    const [left, right] = [state.comparison.left, state.comparison.right].map((side) => comparedOf(side.value)!);
+    expect([...left!.looks].map(([piece, look]) => [piece, look.picture.url])).toEqual([['front', '/assets/as_1']]);
+    expect([...left!.finishes.keys()]).toEqual(['front', 'back']);
+    expect(right!.looks.size).toBe(0);
     comparer.stop();
   });
 

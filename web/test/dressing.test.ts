@@ -17,6 +17,7 @@ import { closeUp, type Bounds, type Pose } from '../src/scene/framing';
 import type { Project } from '../src/api/types';
 import { AppState, ready } from '../src/state/AppState';
 import {
+  aboutText,
   findingCounts,
   freeBodyId,
   isOwn,
@@ -31,7 +32,7 @@ import {
   withoutMeasure,
   withPreset,
 } from '../src/state/dressing';
-import { assetOf, jobOf, projectOf } from './fakes';
+import { assetOf, jobOf, projectOf, seamOf, squareOf } from './fakes';
 import type { BoxPlace } from '../src/tools/SceneTool';
 import { bodyOf, figure, findingOf, importOf } from './samples';
 import { centimetres, lengthWords, shownLength } from '../src/texts/units';
@@ -107,6 +108,17 @@ describe('findings', () => {
     expect(pieceOf(about(['piece', 'back'], ['piece', 'front']), ['front', 'back'])).toBe('back');
     expect(pieceOf(about(['seam', 'front']), ['front'])).toBeNull();
     expect(pieceOf(about(['piece', 'sleeve']), ['front'])).toBeNull();
+  });
+
+  it('call seams and edges as the pattern does', () => {
+    const sewn = { pieces: [squareOf('front', 0, 0, 100), squareOf('back', 200, 0, 100)], seams: [seamOf('seam1', ['front', 'e1'], ['back', 'e3'])] };
+    const about: Finding['about'] = [
+      { thing: 'seam', id: 'seam1' },
+      { thing: 'piece', id: 'back' },
+      { thing: 'edge', id: 'e2' },
+      { thing: 'body', id: 'body' },
+    ];
+    expect(aboutText(findingOf({ about }), sewn)).toBe('seam 1 front to back, piece back, edge top');
   });
 
   it('are looked at from outside of the body', () => {

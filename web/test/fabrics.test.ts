@@ -1,5 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { bendingLength, fabricsFound, figuresOf, finishOf, giveOf, handOf, makeOf, originOf, stiffness, weaveOf } from '../src/state/fabrics';
+import type { Fabric } from '../src/api/types';
+import { bendingLength, fabricsFound, fabricTitle, figuresOf, finishOf, giveOf, handOf, originOf, stiffness, weaveOf, wordsOf } from '../src/state/fabrics';
+import { library as german } from '../src/texts/de/library';
+import { speak } from '../src/texts/language';
 import { fabricOf } from './samples';
 
 describe('a fabric’s card', () => {
@@ -35,7 +38,7 @@ describe('a fabric’s card', () => {
     expect(['plain', '2/2 twill, raised', 'satin', 'cut pile'].map(woven)).toEqual(['plain', 'twill', 'satin', 'plain']);
     const others = ['knit', 'net', 'leather'] as const;
     expect(others.map((construction) => weaveOf({ construction, weave: '' }))).toEqual(['knit', 'net', 'felt']);
-    expect(makeOf(fabricOf('a', { fibre: 'many', weave: 'many' }))).toBe('woven');
+    expect(wordsOf(fabricOf('a', { fibre: 'many', weave: 'many' })).make).toBe('woven');
   });
 
   it('gleams as satin, is matt as wool with a soft rim, and else as most cloth', () => {
@@ -61,5 +64,36 @@ describe('a fabric’s card', () => {
     expect(names('shirts')).toEqual(['light']);
     expect(names('', 'other')).toEqual(['felt']);
     expect(names('', 'knit')).toEqual([]);
+  });
+
+  it('is called in the language that is spoken, and found by its words there and by the service’s', async () => {
+    const library = [fabricOf('poplin', { title: 'Cotton poplin' }), fabricOf('own', { title: 'Own cloth' })];
+    const names = (text: string): string[] => fabricsFound(library, text, 'all').map(({ name }) => name);
+    expect(names('popeline')).toEqual([]);
+    await speak('de');
+    expect(names('popeline blusen')).toEqual(['poplin']);
+    expect(names('cotton poplin')).toEqual(['poplin']);
+    expect(['poplin', 'own', 'other'].map((name) => fabricTitle(name, library))).toEqual(['Baumwollpopeline', 'Own cloth', 'other']);
+    await speak('en');
+    expect(fabricTitle('poplin', library)).toBe('Cotton poplin');
+  });
+});
+
+describe('the library in German', () => {
+  const files = import.meta.glob<Fabric>('../../fabrics/*.json', { import: 'default', eager: true });
+  const fabrics = Object.values(files);
+
+  it('has words for each fabric, and for none that is not there', () => {
+    expect(fabrics.length).toBeGreaterThan(40);
+    expect(Object.keys(german).sort()).toEqual(fabrics.map(({ name }) => name).sort());
+  });
+
+  it('leaves out nothing that the service says, and keeps its figures', () => {
+    const figures = (text: string): string => text.replace(/(\d)\.(\d)/g, '$1,$2').match(/\d+(,\d+)?/g)?.join() ?? '';
+    for (const { name, title, use = '' } of fabrics) {
+      expect(figures(german[name]!.title)).toBe(figures(title));
+      expect(german[name]!.make).not.toBe('');
+      expect(german[name]!.use.split(', ').length).toBe(use.split(', ').length);
+    }
   });
 });

@@ -5,8 +5,7 @@ import { nameThatFits } from '../src/pattern/PieceShape';
 import { fit, panned, zoomed } from '../src/pattern/Viewport';
 import { boundsOf, footprints, poseFor } from '../src/scene/framing';
 import { rimEdges, seamEdges, shareNormals, vertexNormals, verticesAlong, weldGroups, widestGap } from '../src/scene/surface';
-import { cssColour, cutLine, insideOf, layOut } from '../src/state/patternGeometry';
-import { squareOf } from './fakes';
+import { cssColour, cutLine, insideOf, spanAt } from '../src/state/patternGeometry';
 
 /** Two squares that meet at x = 1 at a right angle; vertices 1, 2 are sewn to 4, 7. */
 const positions = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, -1, 1, 1, -1, 1, 1, 0]);
@@ -81,28 +80,6 @@ describe('the ground', () => {
 });
 
 describe('flat pieces', () => {
-  it('stay where the pattern has them', () => {
-    expect(layOut([squareOf('a', 0, 0, 100), squareOf('b', 300, 40, 50)]).map((piece) => piece.offset)).toEqual([
-      [0, 0],
-      [0, 0],
-    ]);
-  });
-
-  it('are laid apart where they would cover each other', () => {
-    const placed = layOut(['a', 'b', 'c', 'd'].map((id, i) => squareOf(id, 0, 0, 100 + 10 * i)));
-    placed.forEach((a, i) =>
-      placed.forEach((b, j) => {
-        if (i < j)
-          expect(
-            a.box.maxX <= b.box.minX ||
-              b.box.maxX <= a.box.minX ||
-              a.box.maxY <= b.box.minY ||
-              b.box.maxY <= a.box.minY,
-          ).toBe(true);
-      }),
-    );
-  });
-
   it('have their name inside, also when they are bent', () => {
     const [x, y] = insideOf([
       [0, 0],
@@ -115,30 +92,18 @@ describe('flat pieces', () => {
     expect((x > 80 && y < 100) || y < 20).toBe(true);
   });
 
-  it('are laid in rows where the pattern has them in one long row', () => {
-    const placed = layOut(['a', 'b', 'c', 'd', 'e', 'f'].map((id, i) => squareOf(id, 150 * i, 0, 100)));
-    const width =
-      Math.max(...placed.map((piece) => piece.box.maxX)) - Math.min(...placed.map((piece) => piece.box.minX));
-    expect(width).toBeLessThan(600);
+  it('are as wide as their cloth where the name stands', () => {
+    const trousers: [number, number][] = [[0, 0], [40, 0], [50, 60], [60, 0], [100, 0], [100, 100], [0, 100]];
+    expect(spanAt(trousers, [20, 30])).toBe(45);
+    expect(spanAt(trousers, [80, 30])).toBe(45);
+    expect(spanAt(trousers, [50, 80])).toBe(100);
+    expect(spanAt(trousers, [-5, 30])).toBe(0);
   });
 
   it('have as much of their name as fits', () => {
     expect(nameThatFits('sleeve', 60)).toBe('sleeve');
     expect(nameThatFits('left_sleeve_back', 70)).toBe('left_slee…');
     expect(nameThatFits('left_sleeve_back', 20)).toBe('');
-  });
-
-  it('stay where they were shown when one is moved, and new ones come beside them', () => {
-    const kept = new Map<string, [number, number]>([
-      ['a', [0, 0]],
-      ['b', [120, 0]],
-    ]);
-    const placed = layOut([squareOf('a', 0, 0, 100), squareOf('b', 0, 0, 100), squareOf('c', 50, 50, 100)], kept);
-    expect(placed.slice(0, 2).map((piece) => piece.offset)).toEqual([
-      [0, 0],
-      [120, 0],
-    ]);
-    expect(placed[2]!.box.minX).toBeGreaterThan(220);
   });
 
   it('give the part of a line between two fractions of its length', () => {
@@ -165,13 +130,15 @@ describe('flat pieces', () => {
 });
 
 describe('the flat view', () => {
+  const even = { side: 28, top: 28, bottom: 28 };
+
   it('fits a box and zooms about the pointer', () => {
-    const view = fit({ minX: 0, minY: 0, maxX: 1000, maxY: 500 }, 556, 456);
+    const view = fit({ minX: 0, minY: 0, maxX: 1000, maxY: 500 }, { width: 556, height: 456 }, even);
     expect(view).toEqual({ x: 500, y: -250, scale: 0.5 });
-    const below = fit({ minX: 0, minY: 0, maxX: 500, maxY: 500 }, 956, 556, 28, 100);
+    const below = fit({ minX: 0, minY: 0, maxX: 500, maxY: 500 }, { width: 956, height: 556 }, { ...even, top: 128 });
     expect(below.scale).toBeCloseTo(0.8, 9);
     expect(below.y).toBeCloseTo(-312.5, 9); // its top at 128 px: the margin under what is covered
-    const between = fit({ minX: 0, minY: 0, maxX: 500, maxY: 500 }, 956, 556, 28, 100, 100);
+    const between = fit({ minX: 0, minY: 0, maxX: 500, maxY: 500 }, { width: 956, height: 556 }, { side: 28, top: 128, bottom: 128 });
     expect([between.scale, between.y]).toEqual([0.6, -250]);
     const closer = zoomed(view, 2, 100, 0);
     expect(closer.scale).toBe(1);
@@ -182,7 +149,7 @@ describe('the flat view', () => {
   });
 
   it('shows pieces of thirty metres whole, and zooms in on them', () => {
-    const giant = fit({ minX: 0, minY: 0, maxX: 15_000, maxY: 30_000 }, 556, 456);
+    const giant = fit({ minX: 0, minY: 0, maxX: 15_000, maxY: 30_000 }, { width: 556, height: 456 }, even);
     expect(giant.scale).toBeCloseTo(400 / 30_000, 9);
     expect(zoomed(giant, 0.5).scale).toBe(giant.scale);
     expect(zoomed(giant, 2).scale).toBeCloseTo(2 * giant.scale, 9);

@@ -6,17 +6,13 @@ import {
   alongLine,
   alongSide,
   clash,
-  edgeTitles,
-  edgeWords,
   emptyDraft,
   freeSeamId,
   lengthsText,
   seamLengths,
   seamMarks,
   seamParts,
-  seamTitle,
   seamsOfEdge,
-  seriesText,
   sewnTogether,
   toWear,
   ticked,
@@ -28,27 +24,6 @@ import { fabricOf } from './samples';
 const pieces = [squareOf('a', 0, 0, 100), squareOf('b', 200, 0, 100)];
 
 describe('a seam on the pieces', () => {
-  it('is called by its number and its name, or by the pieces that it joins', () => {
-    const named = seamOf('side_left', ['a', 'e1'], ['b', 'e3']);
-    const given = { ...named, id: 'seam7', b: [{ piece: 'b', edge: 'e3' }, { piece: 'c', edge: 'e0' }] };
-    const tube = seamOf('seam8', ['a', 'e1'], ['a', 'e3']);
-    const seams = [named, given, tube];
-    expect(seams.map(({ id }) => seamTitle(seams, id))).toEqual(['1 side_left', '2 a to b and c', '3 a, to itself']);
-    expect(seamTitle(seams, 'gone')).toBe('gone');
-  });
-
-  it('names edges that nobody named by where they lie on their piece', () => {
-    const [a] = pieces;
-    expect(a!.edges.map(({ id }) => edgeWords(a, id))).toEqual(['bottom', 'right', 'top', 'left']);
-    const named = { ...a!, edges: [{ ...a!.edges[0]!, id: 'waist' }] };
-    expect(edgeWords(named, 'waist')).toBe('waist');
-    expect(edgeWords(undefined, 'e1')).toBe('e1');
-    const split = { ...a!, edges: [a!.edges[0]!, { ...a!.edges[0]!, id: 'e7' }, a!.edges[1]!] };
-    expect([...edgeTitles(split).values()]).toEqual(['bottom (1)', 'bottom (2)', 'right']);
-    const side = seamOf('s', ['a', 'e1'], ['b', 'e3']);
-    expect(`${seriesText(side.a, pieces)} to ${seriesText(side.b, pieces)}`).toBe('a · right to b · left');
-  });
-
   it('has its threads on its edges also where a side goes over two pieces', () => {
     const apart = [...pieces, squareOf('c', 500, 0, 100)];
     const seam = { ...seamOf('s', ['a', 'e1'], ['b', 'e3']), b: [{ piece: 'b', edge: 'e3' }, { piece: 'c', edge: 'e3' }] };
@@ -102,7 +77,6 @@ describe('a seam on the pieces', () => {
         [100, 100],
       ],
     ]);
-    expect(seriesText(seam.a)).toBe('a · e1 (50–100 %)');
   });
 
   it('tells both lengths and their difference', () => {

@@ -4,9 +4,12 @@ import { effect, untracked, type Signal } from '@preact/signals';
 import type { Api } from '../api/Api';
 import type { BodyMesh } from '../api/body';
 import { clothFromObj } from '../api/objCloth';
-import type { SeenPiece } from '../api/types';
+import { loadPicture, type LoadPicture } from '../api/pictures';
+import type { SeenPiece, SeenPieces } from '../api/types';
 import type { AppState } from '../state/AppState';
 import { comparedOf, type Compared, type ComparedDrape } from '../state/comparison';
+import { finishesOf } from '../state/fabrics';
+import { assetsShown, looksOf, type Look } from '../state/texture';
 import { asApiError } from './notices';
 
 const kNotFound = 404;
@@ -19,7 +22,7 @@ const unlessMissing =
     throw error;
   };
 
-type Asked = Pick<Api, 'job' | 'resultText' | 'report' | 'seenPieces' | 'body'>;
+type Asked = Pick<Api, 'job' | 'project' | 'assetUrl' | 'resultText' | 'report' | 'seenPieces' | 'body'>;
 
 export class Comparer {
   private stop_: () => void = () => undefined;
@@ -27,6 +30,7 @@ export class Comparer {
   constructor(
     private readonly state_: AppState,
     private readonly api_: Asked,
+    private readonly load_: LoadPicture = loadPicture,
   ) {}
 
   start(): void {
@@ -61,13 +65,14 @@ export class Comparer {
 
   private async load(id: string): Promise<ComparedDrape> {
     const job = await this.api_.job(id);
-    const [text, pieces, body, report] = await Promise.all([
+    const [text, { pieces, fabrics }, body, report] = await Promise.all([
       this.api_.resultText(id, 'final.obj'),
-      this.piecesOf(id),
+      this.seenOf(id),
       this.bodyOf(id),
       'report.json' in job.results ? this.api_.report(id) : null,
     ]);
-    return { job, ...clothFromObj(text, pieces), body, pieces, report };
+    const looks = await this.looksOn(pieces, job.project_id);
+    return { job, ...clothFromObj(text, pieces), body, pieces, looks, finishes: finishesOf(pieces, fabrics), report };
   }
 
   /** Null where it hung without one. */
@@ -76,7 +81,18 @@ export class Comparer {
   }
 
   /** None where they cannot be read any more: the cloth is shown in one colour. */
-  private async piecesOf(id: string): Promise<readonly SeenPiece[]> {
-    return (await this.api_.seenPieces(id).catch(() => ({ pieces: [] }))).pieces;
+  private seenOf(id: string): Promise<SeenPieces> {
+    return this.api_.seenPieces(id).catch(() => ({ pieces: [], fabrics: [] }));
+  }
+
+  /** Pictures whose file cannot be had any more are left out. */
+  private async looksOn(pieces: readonly SeenPiece[], projectId: string): Promise<ReadonlyMap<string, Look>> {
+    if (pieces.every(({ texture }) => texture === null)) return new Map();
+    const project = await this.api_.project(projectId).catch(() => null);
+    const loaded = assetsShown(pieces, project).map(async (asset) => {
+      const picture = await this.load_(this.api_.assetUrl(asset)).catch(() => null);
+      return picture ? ([[asset, picture]] as const) : [];
+    });
+    return looksOf(pieces, project, new Map((await Promise.all(loaded)).flat()));
   }
 }

@@ -5,7 +5,7 @@ import { useEffect, useId } from 'preact/hooks';
 import type { EditOf, Fabric, Piece } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
-import { fabricTitle, fabricsFound, figuresOf, handOf, makeOf, originOf, stiffness, type Kind } from '../state/fabrics';
+import { fabricTitle, fabricsFound, figuresOf, handOf, originOf, stiffness, wordsOf, type Kind } from '../state/fabrics';
 import { FabricSwatch } from './FabricSwatch';
 import { t } from '../texts/language';
 
@@ -46,12 +46,13 @@ const cutOf = (pieces: readonly Piece[], fabric: string): EditOf<'set_fabric'>[]
 
 /** Snippet, name and what it is. */
 function Card({ fabric }: { fabric: Fabric }) {
+  const { title, make } = wordsOf(fabric);
   return (
     <span class="fabric-card">
       <FabricSwatch fabric={fabric} />
       <span>
-        <b>{fabric.title}</b>
-        <small>{`${fabric.areal_mass_g_m2} g/m² · ${makeOf(fabric)}`}</small>
+        <b>{title}</b>
+        <small>{`${fabric.areal_mass_g_m2} g/m² · ${make}`}</small>
         <Hand fabric={fabric} />
       </span>
     </span>
@@ -69,6 +70,7 @@ const Hand = ({ fabric }: { fabric: Fabric }) => (
 );
 
 function Figures({ fabric }: { fabric: Fabric }) {
+  const { use } = wordsOf(fabric);
   return (
     <details class="fabric-figures">
       <summary>{t.fabric.figures}</summary>
@@ -81,7 +83,7 @@ function Figures({ fabric }: { fabric: Fabric }) {
         ))}
       </dl>
       <p class="selection-facts">
-        {fabric.use && `${t.fabric.goodFor(fabric.use)} `}
+        {use && `${t.fabric.goodFor(use)} `}
         {originOf(fabric)}
       </p>
     </details>

@@ -5,7 +5,7 @@ import { useEffect } from 'preact/hooks';
 import type { Job, StillOrder, StillWish } from '../api/types';
 import type { Viewpoint } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { kStillMaps, type MapKind } from '../state/clothMaps';
+import { kServiceMaps, type MapKind } from '../state/clothMaps';
 import { isActive } from '../state/jobs';
 import { inSentence } from '../state/words';
 import { Icon } from '../controls/Icon';
@@ -31,7 +31,7 @@ const isUnderWay = (order: StillOrder): boolean => order.state === 'queued' || o
 function wishFrom({ eye, target, angle, aspect }: Viewpoint, transparent: boolean, map: MapKind | null): StillWish {
   const width = Math.round(Math.min(kSide, kSide * aspect));
   const height = Math.round(Math.min(kSide, kSide / aspect));
-  return { eye, target, angle, width, height, transparent, ...(map && { map: kStillMaps[map] }) };
+  return { eye, target, angle, width, height, transparent, ...(map && { map: kServiceMaps[map] }) };
 }
 
 /** Nothing until the drape has ended, or where nobody takes pictures. */

@@ -2,7 +2,6 @@
 
 import type { Finding } from '../api/dressing';
 import { useCommands } from '../commands/context';
-import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { aboutText, findingCounts, sortedFindings } from '../state/dressing';
 import { Icon, type IconName } from '../controls/Icon';
@@ -81,10 +80,9 @@ function Verdict({ ready, findings }: { ready: boolean; findings: Finding[] }) {
 }
 
 function Row({ finding }: { finding: Finding }) {
-  const { dressing, pieces } = useAppState();
+  const { dressing, sewn } = useAppState();
   const commands = useCommands();
   const shown = dressing.finding.value?.finding === finding;
-  const seams = valueOf(pieces.value ?? loading)?.seams ?? [];
   const kind = finding.repaired ? 'repaired' : finding.severity;
   return (
     <li>
@@ -92,7 +90,7 @@ function Row({ finding }: { finding: Finding }) {
         <Icon name={finding.repaired ? 'check' : kIcons[finding.severity]} />
         <span>
           <em>{finding.repaired ? t.arrange.severities.repaired : t.arrange.severities[finding.severity]}</em> <Told code={finding.code} detail={finding.message} />
-          <small>{aboutText(finding, seams) || finding.where}</small>
+          <small>{aboutText(finding, sewn.value) || finding.where}</small>
         </span>
       </button>
     </li>

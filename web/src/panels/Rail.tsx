@@ -196,11 +196,12 @@ function Standing({ job }: { job: Job }) {
     <>
       <small class={`state-${state}`}>
         <i class="dot" aria-hidden="true" />
-        {`${word} · ${rest}`}
+        <span class={active ? 'gives-way' : ''}>{word}</span>
+        <span class={active ? '' : 'gives-way'}>{` · ${rest}`}</span>
       </small>
       {active && (
         <span class={`hairbar state-${state}`}>
-          <i style={{ width: percent(fraction, 1).replace(' ', '') }} />
+          <i style={{ width: `${100 * fraction}%` }} />
         </span>
       )}
     </>

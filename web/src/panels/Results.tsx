@@ -5,7 +5,7 @@ import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
 import { isActive } from '../state/jobs';
 import { downloadsOf, reportLines, stillsOf } from '../state/report';
-import { seamTitle } from '../state/seamView';
+import { seamTitle } from '../state/seamNames';
 import { CompareWith } from './CompareWith';
 import { Enlarged, FileLink, Lines, stillName, Stills } from './DrapeParts';
 import { FitTable } from './FitTable';
@@ -78,6 +78,5 @@ function Report() {
       </p>
     );
   if (!report) return null;
-  const seams = valueOf(state.pieces.value ?? loading)?.seams ?? [];
-  return <Lines lines={reportLines(report.value, (id) => seamTitle(seams, id))} />;
+  return <Lines lines={reportLines(report.value, (id) => seamTitle(state.sewn.value, id))} />;
 }

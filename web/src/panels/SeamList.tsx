@@ -3,9 +3,9 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { Pieces, Seam } from '../api/types';
 import { useCommands } from '../commands/context';
-import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { lengthsText, seamColour, seamTitle, seriesText } from '../state/seamView';
+import { seamTitle, seriesText } from '../state/seamNames';
+import { lengthsText, seamColour } from '../state/seamView';
 import { Icon } from '../controls/Icon';
 import { t } from '../texts/language';
 import { Told } from '../texts/Message';
@@ -22,7 +22,7 @@ export function SeamList({ pieces }: { pieces: Pieces }) {
       {pieces.seams.length === 0 && <p class="hint">{t.pattern.nothingSewn}</p>}
       <ul>
         {pieces.seams.map((seam, index) => (
-          <Row key={seam.id} seam={seam} index={index} title={seamTitle(pieces.seams, seam.id)} chosen={state.editing.seam.value === seam.id} />
+          <Row key={seam.id} seam={seam} index={index} title={seamTitle(pieces, seam.id)} chosen={state.editing.seam.value === seam.id} />
         ))}
       </ul>
     </section>
@@ -81,7 +81,7 @@ function Row({ seam, index, title, chosen }: RowProps) {
 /** Both sides of the seam that is selected, what is wrong with it, and what can be done. */
 function Chosen({ seam, difference }: { seam: Seam; difference: string }) {
   const { edits, pattern } = useCommands();
-  const pieces = valueOf(useAppState().pieces.value ?? loading)?.pieces ?? [];
+  const { pieces } = useAppState().sewn.value;
   const edit = (kind: 'reverse_seam' | 'remove_dart' | 'remove_seam'): void => void edits.send({ edit: kind, seam: seam.id });
   const remove = (): void => {
     edit('remove_seam');

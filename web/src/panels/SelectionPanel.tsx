@@ -7,7 +7,8 @@ import { useAppState } from '../state/context';
 import { findPart, type Part } from '../state/editing';
 import { isStraight, nearestOn, nextEdge, notchAt } from '../state/outline';
 import { boxOf, insideOf } from '../state/patternGeometry';
-import { edgeTitles, edgeWords, seamColour, seamsOfEdge, seamTitle } from '../state/seamView';
+import { edgeTitles, edgeWords, seamTitle } from '../state/seamNames';
+import { seamColour, seamsOfEdge } from '../state/seamView';
 import { NumberField } from '../controls/NumberField';
 import { points } from '../tools/points';
 import { patternFigure, patternLength } from '../texts/units';
@@ -309,7 +310,7 @@ function SewnIn({ piece, edge, pieces }: { piece: Piece; edge: PieceEdge; pieces
       {seams.map((index) => (
         <button class="seam-chip" key={index} onClick={() => pattern.selectSeam(pieces.seams[index]!.id)}>
           <i style={{ background: seamColour(index) }} />
-          {seamTitle(pieces.seams, pieces.seams[index]!.id)}
+          {seamTitle(pieces, pieces.seams[index]!.id)}
         </button>
       ))}
     </p>

@@ -8,7 +8,7 @@ import { Icon } from '../controls/Icon';
 import { Sheet } from '../controls/Sheet';
 import { useAppState } from '../state/context';
 import { presetGroups, presetTitle } from '../state/dressing';
-import { fabricsFound, makeOf } from '../state/fabrics';
+import { fabricsFound, wordsOf } from '../state/fabrics';
 import { kMostSwept } from '../state/sweeps';
 import { t } from '../texts/language';
 import { FabricSwatch } from './FabricSwatch';
@@ -126,8 +126,8 @@ function Fabrics(side: Side) {
           <Check key={fabric.name} name={fabric.name} side={side}>
             <FabricSwatch fabric={fabric} />
             <span>
-              <b>{fabric.title}</b>
-              <small>{`${fabric.areal_mass_g_m2} g/m² · ${makeOf(fabric)}`}</small>
+              <b>{wordsOf(fabric).title}</b>
+              <small>{`${fabric.areal_mass_g_m2} g/m² · ${wordsOf(fabric).make}`}</small>
             </span>
           </Check>
         ))}

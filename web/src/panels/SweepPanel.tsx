@@ -6,6 +6,7 @@ import { useCommands } from '../commands/context';
 import { Icon } from '../controls/Icon';
 import { useAppState } from '../state/context';
 import { presetTitle } from '../state/dressing';
+import { fabricTitle } from '../state/fabrics';
 import { cellsOf, doneOf, easesOf, rowsOf, stretchOf, verdictOf } from '../state/sweeps';
 import { duration, percent } from '../state/words';
 import { t } from '../texts/language';
@@ -39,7 +40,7 @@ function Head({ sweep, sweeps }: { sweep: Sweep; sweeps: Pick<SweepApi, 'sweepUr
         </p>
         {!sweep.ended && (
           <span class="bar" role="progressbar" aria-label={t.sweep.progress} aria-valuenow={Math.round(100 * sweep.fraction)}>
-            <i style={{ width: percent(sweep.fraction, 1).replace(' ', '') }} />
+            <i style={{ width: `${100 * sweep.fraction}%` }} />
           </span>
         )}
       </div>
@@ -68,7 +69,6 @@ function Table({ sweep, resultUrl }: { sweep: Sweep } & PicturesProps) {
   const { fabrics } = useAppState().editing;
   const { pattern } = useCommands();
   useEffect(() => void pattern.loadFabrics(), [pattern]);
-  const titleOf = (name: string): string => fabrics.value.find((fabric) => fabric.name === name)?.title ?? name;
   return (
     <div class="sweep-scroll" tabIndex={0} role="region" aria-label={t.sweep.cells}>
       <table class="sweep-table">
@@ -79,7 +79,7 @@ function Table({ sweep, resultUrl }: { sweep: Sweep } & PicturesProps) {
             </th>
             {sweep.fabrics.map((fabric) => (
               <th key={fabric} scope="col">
-                {titleOf(fabric)}
+                {fabricTitle(fabric, fabrics.value)}
               </th>
             ))}
           </tr>
@@ -90,7 +90,7 @@ function Table({ sweep, resultUrl }: { sweep: Sweep } & PicturesProps) {
               <th scope="row">{bodyTitle(body)}</th>
               {cells.map((cell) => (
                 <td key={cell.fabric}>
-                  <Cell cell={cell} title={`${bodyTitle(body)}, ${titleOf(cell.fabric)}`} resultUrl={resultUrl} />
+                  <Cell cell={cell} title={`${bodyTitle(body)}, ${fabricTitle(cell.fabric, fabrics.value)}`} resultUrl={resultUrl} />
                 </td>
               ))}
             </tr>
@@ -117,7 +117,7 @@ function Cell({ cell, title, resultUrl }: { cell: SweepCell; title: string } & P
         )}
         {active && (
           <span class="hairbar">
-            <i style={{ width: percent(cell.fraction, 1).replace(' ', '') }} />
+            <i style={{ width: `${100 * cell.fraction}%` }} />
           </span>
         )}
       </span>

@@ -4,6 +4,7 @@
 import type { Piece, PieceEdge, Point } from '../api/types';
 import { samePart, type Part } from '../state/editing';
 import { isStraight, jointsOf } from '../state/outline';
+import { edgeTitles } from '../state/seamNames';
 import { seamColour, type SeamDraft } from '../state/seamView';
 import type { PatternTool } from '../tools/PatternTool';
 import { linePath } from './PieceShape';
@@ -28,14 +29,22 @@ export interface EditMarksProps {
 
 export function EditMarks(props: EditMarksProps) {
   const { piece, tool, selected } = props;
+  const titles = edgeTitles(piece);
+  const titleOf = (edge: PieceEdge): string => titles.get(edge.id) ?? edge.id;
   return (
     <>
-      {tool.edges && piece.edges.map((edge) => <EdgeMark key={`${edge.loop} ${edge.id}`} {...props} edge={edge} />)}
+      {tool.edges && piece.edges.map((edge) => <EdgeMark key={`${edge.loop} ${edge.id}`} {...props} edge={edge} title={titleOf(edge)} />)}
       {tool.grab &&
         selected &&
-        piece.edges.map((edge) => <EdgePoints key={`${edge.loop} ${edge.id}`} {...props} edge={edge} />)}
+        piece.edges.map((edge) => <EdgePoints key={`${edge.loop} ${edge.id}`} {...props} edge={edge} title={titleOf(edge)} />)}
     </>
   );
+}
+
+interface EdgeProps extends EditMarksProps {
+  edge: PieceEdge;
+  /** As a person calls it. */
+  title: string;
 }
 
 /** The side of the seam that is being made which has all of this edge. */
@@ -44,7 +53,7 @@ const sideOf = (draft: SeamDraft, piece: string, edge: string): 'a' | 'b' | unde
     draft[side].some(({ from = 0, to = 1, ...use }) => use.piece === piece && use.edge === edge && to - from === 1),
   );
 
-function EdgeMark({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
+function EdgeMark({ edge, title, ...props }: EdgeProps) {
   const { piece, tool, selected, part, draft, draftColour } = props;
   const chosen = part?.kind === 'edge' && part.piece === piece.id && part.edge === edge.id;
   const side = sideOf(draft, piece.id, edge.id);
@@ -62,7 +71,7 @@ function EdgeMark({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
       tabindex={selected || tool.edges?.tabbed === 'all' ? 0 : -1}
       role="button"
       aria-pressed={chosen || side !== undefined}
-      aria-label={`${t.pattern.edgeLabel(edge.id, piece.id, patternLength(edge.length_mm))}${side ? t.pattern.sideLabel(side.toUpperCase()) : ''}`}
+      aria-label={`${t.pattern.edgeLabel(title, piece.id, patternLength(edge.length_mm))}${side ? t.pattern.sideLabel(side.toUpperCase()) : ''}`}
       onPointerDown={(event) => props.onEdge(edge.id, event)}
       onPointerEnter={() => props.onLight(edge.id)}
       onPointerLeave={() => props.onLight(null)}
@@ -76,7 +85,7 @@ function EdgeMark({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
 }
 
 /** Handles first, so that points lie over them. An edge's last point is the first of the next. */
-function EdgePoints({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
+function EdgePoints({ edge, title, ...props }: EdgeProps) {
   const { piece, part } = props;
   const joints = jointsOf(edge).slice(0, -1);
   const shown = part !== null && part.piece === piece.id && part.edge === edge.id;
@@ -93,7 +102,7 @@ function EdgePoints({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
                 held={part}
                 at={curve[handle]}
                 from={curve[handle === 1 ? 0 : 3]}
-                name={t.pattern.handleName(handle, i + 1, edge.id)}
+                name={t.pattern.handleName(handle, i + 1, title)}
               />
             )),
       )}
@@ -105,7 +114,7 @@ function EdgePoints({ edge, ...props }: EditMarksProps & { edge: PieceEdge }) {
           held={part}
           at={at}
           from={null}
-          name={point === 0 ? t.pattern.cornerName(edge.id) : t.pattern.pointName(point, edge.id)}
+          name={point === 0 ? t.pattern.cornerName(title) : t.pattern.pointName(point, title)}
         />
       ))}
     </>

@@ -7,11 +7,14 @@ import { useCommands } from '../commands/context';
 import { PieceShape } from './PieceShape';
 import { SeamShapes, Threads, type ShownSeam } from './SeamShapes';
 import { useSizeOf } from './useSizeOf';
-import { fit, viewBox } from './Viewport';
+import { fit, roomWithin, viewBox, type Rim } from './Viewport';
 import { piecesDrawn, seamsInReach, sourceNames, type ImportDraft, type PreviewProps } from '../state/importDraft';
-import { joined, layOut, type PlacedPiece } from '../state/patternGeometry';
+import { layOut, type PlacedPiece } from '../state/layout';
+import { joined } from '../state/patternGeometry';
 import { seamParts } from '../state/seamView';
 import { t } from '../texts/language';
+
+const kRim: Rim = { side: 20, top: 20, bottom: 20 };
 
 /** The ticked seams and the lit one. */
 function seamsShown(draft: ImportDraft, report: Import, lit: string | null, pictures: readonly Piece[]): ShownSeam[] {
@@ -27,7 +30,7 @@ function seamsShown(draft: ImportDraft, report: Import, lit: string | null, pict
 export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
   const svg = useRef<SVGSVGElement>(null);
   const view = useSizeOf(svg, { width: 600, height: 500 }).value;
-  const placed = layOut(piecesDrawn(report));
+  const placed = layOut(piecesDrawn(report), roomWithin(view, kRim));
   const sources = sourceNames(report);
   if (placed.length === 0) {
     return (
@@ -37,7 +40,7 @@ export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
       </div>
     );
   }
-  const port = fit(joined(placed.map((one) => one.box)), view.width, view.height, 24);
+  const port = fit(joined(placed.map((one) => one.box)), view, kRim);
   const pictures = placed.map((one) => one.piece);
   const seams = seamsShown(draft, report, lit, pictures);
   const shown = seams.find((one) => one.seam.id === lit);

@@ -1,10 +1,10 @@
 // One line under the pattern: what was refused, what the hand or the pointer is at, or what to do next.
 
-import type { Piece } from '../api/types';
+import type { Pieces } from '../api/types';
 import type { ApiError } from '../api/http';
-import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { lengthsText, numberedTitle, seamLengths } from '../state/seamView';
+import { seamTitle } from '../state/seamNames';
+import { lengthsText, seamLengths } from '../state/seamView';
 import type { Held, PatternTool } from '../tools/PatternTool';
 import { kDraftSeam, type ShownSeam } from './SeamShapes';
 import { t } from '../texts/language';
@@ -13,7 +13,7 @@ import { Told } from '../texts/Message';
 
 export interface PatternNoteProps {
   /** As they are shown. */
-  pieces: readonly Piece[];
+  pieces: Pieces;
   tool: PatternTool;
   held: Held | null;
   lit: ShownSeam | null;
@@ -24,9 +24,8 @@ export function PatternNote({ pieces, tool, held, lit }: PatternNoteProps) {
   const problem = state.editing.problem.value;
   if (problem) return <Refusal problem={problem} />;
   // As in the list of seams; what is held is longer or shorter than the service knows.
-  const seams = valueOf(state.pieces.value ?? loading)?.seams ?? [];
-  const known = held ? undefined : seams.find((seam) => seam.id === lit?.seam.id);
-  const said = placeOf(held) ?? lengthsOf(lit, known ? [known.length_a_mm, known.length_b_mm] : drawnLengths(pieces, lit), state.editing.range.value === null) ?? tool.say?.(state) ?? null;
+  const known = held ? undefined : pieces.seams.find((seam) => seam.id === lit?.seam.id);
+  const said = placeOf(held) ?? lengthsOf(pieces, lit, known ? [known.length_a_mm, known.length_b_mm] : drawnLengths(pieces, lit), state.editing.range.value === null) ?? tool.say?.(state) ?? null;
   if (said === null) return null;
   return (
     <p class="pattern-note" role="status">
@@ -57,20 +56,20 @@ function placeOf(held: Held | null) {
   );
 }
 
-function drawnLengths(pieces: readonly Piece[], lit: ShownSeam | null): [number, number] {
+function drawnLengths({ pieces }: Pieces, lit: ShownSeam | null): [number, number] {
   if (!lit) return [0, 0];
   const { a, b } = seamLengths(pieces, lit.seam);
   return [a, b];
 }
 
 /** How long both sides of the lit seam are; of one that is being made how it is sewn, once both are there. */
-function lengthsOf(lit: ShownSeam | null, both_mm: readonly [number, number], both: boolean) {
+function lengthsOf(pieces: Pieces, lit: ShownSeam | null, both_mm: readonly [number, number], both: boolean) {
   if (!lit || lit.seam.b.length === 0) return null;
   const { lengths, difference } = lengthsText(...both_mm);
   const drafted = lit.seam.id === kDraftSeam;
   return (
     <>
-      <b>{drafted ? t.pattern.newSeam : numberedTitle(lit.seam, lit.index)}</b> {lengths} · {difference}
+      <b>{drafted ? t.pattern.newSeam : seamTitle(pieces, lit.seam.id)}</b> <span class="figures">{lengths}</span> · {difference}
       {drafted && both && (
         <>
           {' · '}

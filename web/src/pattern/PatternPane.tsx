@@ -4,10 +4,9 @@
 import { useComputed, useSignalEffect, type ReadonlySignal } from '@preact/signals';
 import type { Piece, Pieces, SeamSides } from '../api/types';
 import { useCommands } from '../commands/context';
-import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
+import { layOut, type PlacedPiece } from '../state/layout';
 import { add } from '../state/outline';
-import { layOut, type PlacedPiece } from '../state/patternGeometry';
 import { seamParts, type SeamDraft } from '../state/seamView';
 import { draftShown } from '../state/editing';
 import { toolOf } from '../tools/table';
@@ -18,7 +17,8 @@ import { PlacedPieceView } from './PlacedPieceView';
 import { kDraftSeam, Threads, type ShownSeam } from './SeamShapes';
 import { RangeMarks } from './RangeMarks';
 import { useHands, type Hands } from './useHands';
-import { usePlaneView, type PlaneView } from './usePlaneView';
+import { usePlaneFrame, usePlaneView, type PlaneFrame, type PlaneView } from './usePlaneView';
+import { roomWithin } from './Viewport';
 import { t } from '../texts/language';
 import { Told } from '../texts/Message';
 
@@ -62,10 +62,10 @@ export function PatternPane() {
 }
 
 /** Where the pieces lie; one that has been shown keeps its place while others come and go. */
-function usePlaces(): ReadonlySignal<PlacedPiece[]> {
+function usePlaces({ size, rim }: PlaneFrame): ReadonlySignal<PlacedPiece[]> {
   const state = useAppState();
   const { offsets } = state.editing;
-  const placed = useComputed(() => layOut(valueOf(state.pieces.value ?? loading)?.pieces ?? [], offsets.value));
+  const placed = useComputed(() => layOut(state.sewn.value.pieces, roomWithin(size.value, rim.value), offsets.value));
   useSignalEffect(() => {
     const next = new Map(placed.value.map((one) => [one.piece.id, one.offset]));
     const known = offsets.peek();
@@ -77,21 +77,24 @@ function usePlaces(): ReadonlySignal<PlacedPiece[]> {
 function Plane({ pieces, tool }: { pieces: Pieces; tool: PatternTool }) {
   const state = useAppState();
   const commands = useCommands();
-  const placed = usePlaces();
+  const frame = usePlaneFrame();
+  const placed = usePlaces(frame);
   const plane = usePlaneView(
+    frame,
     () => placed.value.map((piece) => piece.box),
     () => state.projectId.value,
   );
   const hands = useHands({ hand: { state, commands }, tool, view: () => plane.view.value, move: plane.move, worldOf: plane.worldOf });
   const { held } = hands;
   const shown = pieces.pieces.map((piece) => (held?.piece === piece.id ? held.shown(piece) : piece));
-  const seams = useSeams({ ...pieces, pieces: shown });
+  const sewn = { ...pieces, pieces: shown };
+  const seams = useSeams(sewn);
   return (
     <>
       <Sheet pieces={pieces} places={placedAs(placed.value, shown, held)} {...{ tool, plane, hands, seams }} />
       <PatternTools />
       <ViewButtons plane={plane} />
-      <PatternNote pieces={shown} tool={tool} held={held} lit={seams.lit} />
+      <PatternNote pieces={sewn} tool={tool} held={held} lit={seams.lit} />
     </>
   );
 }

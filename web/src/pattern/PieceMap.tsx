@@ -4,7 +4,7 @@ import type { Point } from '../api/types';
 import { useAppState } from '../state/context';
 import { bandPaths, kBands, valueAt } from '../state/clothMaps';
 import { minus } from '../state/outline';
-import type { PlacedPiece } from '../state/patternGeometry';
+import type { PlacedPiece } from '../state/layout';
 
 export interface PieceMapProps {
   placed: PlacedPiece;

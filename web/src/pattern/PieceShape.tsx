@@ -4,7 +4,8 @@
 import { useId } from 'preact/hooks';
 import type { Notch, Piece, Point } from '../api/types';
 import { piecePath } from '../state/outline';
-import { boxOf, cssColour, type Box, type PlacedPiece } from '../state/patternGeometry';
+import type { PlacedPiece } from '../state/layout';
+import { boxOf, cssColour, spanAt, type Box } from '../state/patternGeometry';
 import { patternTransform, type Look } from '../state/texture';
 import { t } from '../texts/language';
 import { patternFigure, patternLength } from '../texts/units';
@@ -29,14 +30,20 @@ export const linePath = (points: readonly Point[], closed = false): string =>
 /** Smallest piece, in pixels across, that still has its name and its size written on it. */
 const kNamePx = 34;
 const kSizePx = 120;
-/** About the width of a letter of the name. */
+/** About the width of a letter of the name, and of one that is a capital. */
 const kLetterPx = 7;
+const kCapitalPx = 8.5;
+const widthOfName = (name: string): number =>
+  [...name].reduce((sum, letter) => sum + (letter === letter.toLowerCase() ? kLetterPx : kCapitalPx), 0);
+/** So many letters of a name that is cut off still tell it. */
+const kTelling = 7;
 
 /** As much of a name as fits; nothing when that would be no name any more. */
 export function nameThatFits(name: string, px: number): string {
-  const letters = Math.floor(px / kLetterPx);
-  if (name.length <= letters) return name;
-  return letters >= 8 ? `${name.slice(0, letters - 1)}…` : '';
+  if (widthOfName(name) <= px) return name;
+  let letters = name.length - 1;
+  while (letters > 0 && widthOfName(`${name.slice(0, letters)}…`) > px) --letters;
+  return letters >= kTelling ? `${name.slice(0, letters)}…` : '';
 }
 
 export function PieceShape(props: PieceShapeProps) {
@@ -97,11 +104,11 @@ function Label({ placed, scale }: { placed: PlacedPiece; scale: number }) {
   const across = (box.maxX - box.minX) * scale;
   const down = (box.maxY - box.minY) * scale;
   const at = labelAt(placed);
-  const name = Math.min(across, down * 2.2) > kNamePx ? nameThatFits(piece.id, across - 6) : '';
+  const name = Math.min(across, down * 2.2) > kNamePx ? nameThatFits(piece.id, spanAt(piece.outline, at) * scale - 6) : '';
   return (
     <>
       {piece.grain && Math.min(across, down) > kNamePx && (
-        <Grain at={at} along={piece.grain} box={box} scale={scale} down={down} name={name.length * kLetterPx} />
+        <Grain at={at} along={piece.grain} box={box} scale={scale} down={down} name={widthOfName(name)} />
       )}
       {name !== '' && (
         <text class="piece-name" x={at[0]} y={-at[1]} font-size={12 / scale} dy={down > kSizePx ? '-0.2em' : '0.35em'}>

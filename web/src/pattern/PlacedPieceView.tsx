@@ -4,7 +4,7 @@ import type { Point, SeamSides } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
 import { minus } from '../state/outline';
-import type { PlacedPiece } from '../state/patternGeometry';
+import type { PlacedPiece } from '../state/layout';
 import { seamsOfEdge } from '../state/seamView';
 import type { PatternTool } from '../tools/PatternTool';
 import { EditMarks } from './EditMarks';

@@ -4,7 +4,7 @@
 import { useAppState } from '../state/context';
 import type { Point } from '../api/types';
 import { add } from '../state/outline';
-import type { PlacedPiece } from '../state/patternGeometry';
+import type { PlacedPiece } from '../state/layout';
 import { seamColour } from '../state/seamView';
 import type { LoopPlace } from '../state/seamRange';
 import { t } from '../texts/language';

@@ -2,7 +2,7 @@
 // between the sides of the one that is lit.
 
 import type { Point, SeamSides } from '../api/types';
-import type { PlacedPiece } from '../state/patternGeometry';
+import type { PlacedPiece } from '../state/layout';
 import { alongLine, alongSide, seamColour, seamMarks, type SeamPart } from '../state/seamView';
 import { linePath } from './PieceShape';
 

@@ -1,5 +1,6 @@
 // What part of the plane the 2D view shows. Pure; world millimetres with y down, as SVG has it.
 
+import type { Room } from '../state/packing';
 import type { Box } from '../state/patternGeometry';
 
 export interface Viewport {
@@ -14,13 +15,26 @@ export interface Viewport {
 const kSmallest = 0.02;
 const kLargest = 20;
 
+/** Pixels of the view's rim that nothing is fitted into. */
+export interface Rim {
+  side: number;
+  top: number;
+  bottom: number;
+}
 
-/** Shows a whole box (y up) with a margin in pixels, between pixels at the top and the bottom that are covered. */
-export function fit(box: Box, width: number, height: number, margin = 28, top = 0, bottom = 0): Viewport {
+/** What the rim leaves of a view. */
+export const roomWithin = ({ width, height }: Room, { side, top, bottom }: Rim): Room => ({
+  width: Math.max(width - 2 * side, 20),
+  height: Math.max(height - top - bottom, 20),
+});
+
+/** Shows a whole box (y up) within the rim. */
+export function fit(box: Box, view: Room, rim: Rim): Viewport {
   const w = Math.max(box.maxX - box.minX, 1);
   const h = Math.max(box.maxY - box.minY, 1);
-  const down = Math.max(height - 2 * margin - top - bottom, 20);
-  const scale = Math.min(kLargest, Math.max(width - 2 * margin, 20) / w, down / h);
+  const room = roomWithin(view, rim);
+  const { top, bottom } = rim;
+  const scale = Math.min(kLargest, room.width / w, room.height / h);
   return { x: (box.minX + box.maxX) / 2, y: -(box.minY + box.maxY) / 2 - (top - bottom) / 2 / scale, scale };
 }
 

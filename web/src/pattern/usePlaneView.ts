@@ -1,17 +1,16 @@
 // What part of the plane is shown: follows its place on the page, wheel and keys.
 
-import { useSignal, useSignalEffect, type Signal } from '@preact/signals';
+import { useComputed, useSignal, useSignalEffect, type ReadonlySignal, type Signal } from '@preact/signals';
 import { useRef, type MutableRef } from 'preact/hooks';
 import type { Point } from '../api/types';
+import type { Room } from '../state/packing';
 import { joined, type Box } from '../state/patternGeometry';
 import { useSizeOf } from './useSizeOf';
-import { fit, panned, viewBox, zoomed, type Viewport } from './Viewport';
+import { fit, panned, viewBox, zoomed, type Rim, type Viewport } from './Viewport';
 
 const kWheelStep = 1.0015;
-/** Height that the tools take of the view. */
-const kToolsPx = 34;
-/** And that the note and the buttons of the view take. */
-const kNotePx = 38;
+/** Clear of the tools above, of the buttons and two lines of the note below, as styles/pattern.css has them. */
+const kRim: Rim = { side: 14, top: 50, bottom: 58 };
 /** Both are higher where fingers press them, as styles/touch.css says. */
 const kFinger = '--finger';
 const fingerPx = (of: Element | null): number => (of && parseFloat(getComputedStyle(of).getPropertyValue(kFinger))) || 0;
@@ -22,8 +21,26 @@ const kPanKeys: Record<string, [number, number]> = {
   arrowdown: [0, -40],
 };
 
-export interface PlaneView {
+/** The plane's place on the page. */
+export interface PlaneFrame {
   svg: MutableRef<SVGSVGElement | null>;
+  size: ReadonlySignal<Room>;
+  rim: ReadonlySignal<Rim>;
+}
+
+export function usePlaneFrame(): PlaneFrame {
+  const svg = useRef<SVGSVGElement>(null);
+  const size = useSizeOf(svg, { width: 400, height: 400 });
+  const rim = useComputed((): Rim => {
+    void size.value;
+    const more = fingerPx(svg.current);
+    return { ...kRim, top: kRim.top + more, bottom: kRim.bottom + more };
+  });
+  return { svg, size, rim };
+}
+
+export interface PlaneView {
+  svg: PlaneFrame['svg'];
   view: Signal<Viewport>;
   viewBox: string;
   move(next: Viewport): void;
@@ -36,9 +53,7 @@ export interface PlaneView {
 }
 
 /** `boxes` of all that is shown; the view fits them until it is moved by hand, and again for another `subject`. */
-export function usePlaneView(boxes: () => readonly Box[], subject: () => string | null): PlaneView {
-  const svg = useRef<SVGSVGElement>(null);
-  const size = useSizeOf(svg, { width: 400, height: 400 });
+export function usePlaneView({ svg, size, rim }: PlaneFrame, boxes: () => readonly Box[], subject: () => string | null): PlaneView {
   const view = useSignal<Viewport>({ x: 0, y: 0, scale: 0.2 });
   const touched = useRef<string | null | false>(false);
 
@@ -46,8 +61,7 @@ export function usePlaneView(boxes: () => readonly Box[], subject: () => string 
     const all = boxes();
     if (all.length === 0) return;
     touched.current = false;
-    const more = fingerPx(svg.current);
-    view.value = fit(joined(all), size.value.width, size.value.height, 22, kToolsPx + more, kNotePx + more);
+    view.value = fit(joined(all), size.value, rim.value);
   };
   useSignalEffect(() => {
     void size.value;

@@ -1,22 +1,21 @@
 // How large an element is on the page, as it changes.
 
 import { useSignal, type Signal } from '@preact/signals';
-import { useEffect, type MutableRef } from 'preact/hooks';
+import { useLayoutEffect, type MutableRef } from 'preact/hooks';
+import type { Room } from '../state/packing';
 
-export interface Size {
-  /** Pixels. */
-  width: number;
-  height: number;
-}
-
-/** `first` until the element has been laid out; never zero, since scales are made from it. */
-export function useSizeOf(element: MutableRef<Element | null>, first: Size): Signal<Size> {
+/** Pixels. `first` until the element has been laid out, and what it was last while it is hidden: scales are made from it. */
+export function useSizeOf(element: MutableRef<Element | null>, first: Room): Signal<Room> {
   const size = useSignal(first);
-  useEffect(() => {
+  // Before anything is painted at a size that it has not.
+  useLayoutEffect(() => {
     const watched = element.current!;
-    const watcher = new ResizeObserver(
-      () => (size.value = { width: watched.clientWidth || 1, height: watched.clientHeight || 1 }),
-    );
+    const measure = (): void => {
+      const { clientWidth: width, clientHeight: height } = watched;
+      if (width > 0 && height > 0) size.value = { width, height };
+    };
+    measure();
+    const watcher = new ResizeObserver(measure);
     watcher.observe(watched);
     return () => watcher.disconnect();
   }, [element, size]);

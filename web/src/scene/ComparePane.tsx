@@ -8,6 +8,7 @@ import { BodySurface } from '../state/BodySurface';
 import { grainsOf, mapOf, measured, ofOneScale, type ClothMap, type MapKind } from '../state/clothMaps';
 import { comparedOf, type Compared, type ComparedDrape } from '../state/comparison';
 import { useAppState } from '../state/context';
+import { isKept, keptValues, missingInBoth, missingMaps, type MissingMaps } from '../state/keptMaps';
 import { LiveCloth } from '../state/LiveCloth';
 import type { Pose } from './framing';
 import { Legend, MapSelect } from './MapLegend';
@@ -30,17 +31,25 @@ class Pair {
 
 /** One measurement of each, with one scale. */
 function useMaps(left: ComparedDrape | null, right: ComparedDrape | null, kind: MapKind | null): (ClothMap | null)[] {
+  const files = useAppState().mapFiles.value;
   return useMemo(() => {
     const mapped = [left, right].map((drape) => {
       if (!kind || !drape) return null;
+      if (isKept(kind)) {
+        const file = files.get(drape.job.id);
+        const kept = file && keptValues(kind, file, drape.topology);
+        return kept ? mapOf(kind, kept) : null;
+      }
       const surface = (): BodySurface | null =>
         drape.body && drape.body.indices.length > 0 ? new BodySurface(drape.body) : null;
       const values = measured(kind, drape, grainsOf(drape.pieces), surface);
       return values && mapOf(kind, values);
     });
     return ofOneScale(mapped);
-  }, [left, right, kind]);
+  }, [left, right, kind, files]);
 }
+
+const missingOf = (drape: ComparedDrape | null): MissingMaps => missingMaps(drape?.job ?? null, !drape?.body || drape.body.indices.length === 0);
 
 export function ComparePane({ code }: Pick<ScenePaneProps, 'code'>) {
   const { comparison } = useAppState();
@@ -48,6 +57,7 @@ export function ComparePane({ code }: Pick<ScenePaneProps, 'code'>) {
   const pair = useMemo(() => new Pair(), []);
   const { left, right, mapKind } = comparison;
   const maps = useMaps(comparedOf(left.value), comparedOf(right.value), mapKind.value);
+  const missing = missingInBoth(...([left, right].map((side) => missingOf(comparedOf(side.value))) as [MissingMaps, MissingMaps]));
   const legend = maps.find((map) => map !== null);
   return (
     <section class="scene" aria-label={t.scene.twoDrapes}>
@@ -60,7 +70,7 @@ export function ComparePane({ code }: Pick<ScenePaneProps, 'code'>) {
             {t.scene.views_[view]}
           </button>
         ))}
-        <MapSelect mapKind={mapKind} />
+        <MapSelect mapKind={mapKind} missing={missing} />
       </div>
       {legend && <Legend map={legend} pointed={NaN} />}
     </section>
@@ -160,6 +170,8 @@ function follow(
       view.setBody(drape?.body ?? null);
       view.show(Boolean(drape?.body), false);
       if (!drape) return;
+      view.setLooks(drape.looks);
+      view.setFinishes(drape.finishes);
       live.setTopology(drape.topology);
       live.setPositions(drape.positions, { epoch: 0, seq: 1, step: 0, time: 0 });
     }),

@@ -2,17 +2,25 @@
 
 import type { Signal } from '@preact/signals';
 import { useAppState } from '../state/context';
-import { bandEnds, bandFigure, bandOf, kBands, kMaps, mapUnit, valueText, type ClothMap, type MapKind } from '../state/clothMaps';
+import { bandEnds, bandFigure, bandOf, kBands, kMapKinds, mapUnit, valueText, type ClothMap, type MapKind } from '../state/clothMaps';
+import type { MissingMaps } from '../state/keptMaps';
 import { t } from '../texts/language';
 
 /** Only where there is cloth of a drape. */
 export function MapChoice() {
-  const { mapKind, covered, beforeDrape, atHome } = useAppState();
+  const { mapKind, missingMaps, covered, beforeDrape, atHome } = useAppState();
   if (!covered.value || beforeDrape.value || atHome.value) return null;
-  return <MapSelect mapKind={mapKind} />;
+  return <MapSelect mapKind={mapKind} missing={missingMaps.value} />;
 }
 
-export function MapSelect({ mapKind }: { mapKind: Signal<MapKind | null> }) {
+/** A map that cannot be shown says why. */
+function titleOf(kind: MapKind, missing: MissingMaps): string {
+  const why = missing[kind];
+  const { title } = t.scene.maps[kind];
+  return why && why !== 'never' ? t.scene.missing[why](title) : title;
+}
+
+export function MapSelect({ mapKind, missing }: { mapKind: Signal<MapKind | null>; missing: MissingMaps }) {
   return (
     <>
       <span class="tool-gap" />
@@ -24,9 +32,9 @@ export function MapSelect({ mapKind }: { mapKind: Signal<MapKind | null> }) {
         onChange={(event) => (mapKind.value = (event.currentTarget.value || null) as MapKind | null)}
       >
         <option value="">{t.scene.cloth}</option>
-        {(Object.keys(kMaps) as MapKind[]).map((kind) => (
-          <option key={kind} value={kind}>
-            {t.scene.maps[kind].title}
+        {kMapKinds.filter((kind) => missing[kind] !== 'never').map((kind) => (
+          <option key={kind} value={kind} disabled={missing[kind] !== undefined}>
+            {titleOf(kind, missing)}
           </option>
         ))}
       </select>
@@ -35,10 +43,17 @@ export function MapSelect({ mapKind }: { mapKind: Signal<MapKind | null> }) {
 }
 
 export function MapLegend() {
-  const { clothMap, pointedValue, beforeDrape, atHome } = useAppState();
-  const map = clothMap.value;
-  if (!map || beforeDrape.value || atHome.value) return null;
-  return <Legend map={map} pointed={pointedValue.value} />;
+  const { mapKind, missingMaps, clothMap, pointedValue, covered, beforeDrape, atHome } = useAppState();
+  const [kind, map] = [mapKind.value, clothMap.value];
+  if (beforeDrape.value || atHome.value) return null;
+  if (map) return <Legend map={map} pointed={pointedValue.value} />;
+  // One that was chosen before stays chosen until it can be had again.
+  if (!covered.value || !kind || missingMaps.value[kind] === undefined) return null;
+  return (
+    <p class="map-legend" role="status">
+      {titleOf(kind, missingMaps.value)}
+    </p>
+  );
 }
 
 export function Legend({ map, pointed }: { map: ClothMap; pointed: number }) {

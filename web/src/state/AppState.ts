@@ -4,14 +4,16 @@ import { computed, signal, type ReadonlySignal, type Signal } from '@preact/sign
 import type { ApiError } from '../api/http';
 import type { BodyMesh } from '../api/body';
 import type { StreamConnection } from '../api/JobStream';
+import type { MapFile } from '../api/maps';
 import type { Picture } from '../api/pictures';
 import type { EditStep, Fabric, Job, Pieces, Progress, Project, Report, SeenPieces, Session } from '../api/types';
 import type { ClothMap, MapKind } from './clothMaps';
+import { missingMaps, type MissingMaps } from './keptMaps';
 import type { AdminView } from './admin';
 import { ComparisonState } from './comparison';
 import { DressingState, type Marks } from './dressing';
 import { EditingState, keepsTheShape } from './editing';
-import { finishOf, type Finish } from './fabrics';
+import { finishesOf, type Finish } from './fabrics';
 import { HandsState } from './hands';
 import type { ImportDraft } from './importDraft';
 import type { IntakePlan } from './intake';
@@ -21,6 +23,7 @@ import type { Route } from './routes';
 import { SectionState } from './SectionState';
 import { stepText, withSewn, type Known } from './steps';
 import { SweepState } from './sweeps';
+import type { Sewn } from './seamNames';
 import { seamParts, type SeamPart } from './seamView';
 import { isOfPrints, looksOf, type Look } from './texture';
 import { standsAs, VersionState } from './versions';
@@ -129,6 +132,13 @@ export class AppState {
   readonly meshShown: Signal<boolean> = signal(false);
   /** What the cloth is coloured by; null: as it looks. */
   readonly mapKind: Signal<MapKind | null> = signal(null);
+  /** What ended drapes have left of maps, by their ids, as it is wanted. */
+  readonly mapFiles: Signal<ReadonlyMap<string, MapFile>> = signal(new Map());
+  /** Which maps of the drape that is shown are not to be had. */
+  readonly missingMaps: ReadonlySignal<MissingMaps> = computed(() => {
+    const body = valueOf(this.body.value ?? loading);
+    return missingMaps(this.job.value, body !== null && body.indices.length === 0);
+  });
   /** Of the newest moment that was measured. */
   readonly clothMap: Signal<ClothMap | null> = signal(null);
   /** The map's value under the pointer; NaN: none. */
@@ -167,9 +177,12 @@ export class AppState {
     () => valueOf(this.projects.value)?.find((project) => project.id === this.projectId.value) ?? null,
   );
 
+  /** What there is of the pattern. */
+  readonly sewn: ReadonlySignal<Sewn> = computed(() => valueOf(this.pieces.value ?? loading) ?? { pieces: [], seams: [] });
+
   /** Pictures on pieces, by the piece's id. */
   readonly looks: ReadonlySignal<ReadonlyMap<string, Look>> = computed(() =>
-    looksOf(valueOf(this.pieces.value ?? loading)?.pieces ?? [], this.project.value, this.pictures.value),
+    looksOf(this.sewn.value.pieces, this.project.value, this.pictures.value),
   );
 
 
@@ -203,13 +216,11 @@ export class AppState {
     return looksOf(draped.pieces, this.project.value, this.pictures.value);
   });
 
-  /** How light plays on that cloth, by the piece's id; pieces of fabrics that nothing is known of are left out. */
+  /** How light plays on that cloth. */
   readonly finishes: ReadonlySignal<ReadonlyMap<string, Finish>> = computed(() => {
     const draped = this.draped_.value;
     const fabrics: readonly Fabric[] = draped?.fabrics ?? this.editing.fabrics.value;
-    const known = new Map(fabrics.map((fabric) => [fabric.name, finishOf(fabric)]));
-    const pieces = (draped ?? valueOf(this.pieces.value ?? loading))?.pieces ?? [];
-    return new Map(pieces.flatMap(({ id, fabric }) => (known.has(fabric) ? [[id, known.get(fabric)!]] : [])));
+    return finishesOf((draped ?? this.sewn.value).pieces, fabrics);
   });
 
   /** The newest word of the cloth that is shown comes from its drape, and the way there is open. */
@@ -261,8 +272,7 @@ export class AppState {
   /** What the steps of the history are about. */
   readonly known: ReadonlySignal<Known> = computed(() => {
     const { fabrics, history, seamsSeen } = this.editing;
-    const pieces = valueOf(this.pieces.value ?? loading)?.pieces ?? [];
-    return withSewn({ pieces, seams: seamsSeen.value, fabrics: fabrics.value }, history.value);
+    return withSewn({ pieces: this.sewn.value.pieces, seams: seamsSeen.value, fabrics: fabrics.value }, history.value);
   });
 
   /** What was done to the project after its drape had begun, newest first; null while the drape is as new as the project. */

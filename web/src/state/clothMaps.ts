@@ -7,7 +7,7 @@ import type { BodySurface } from './BodySurface';
 import { fixed, plain } from '../texts/numbers';
 import { patternDigits, patternSign, shownMm } from '../texts/units';
 
-export type MapKind = 'warp' | 'weft' | 'shear' | 'room';
+export type MapKind = 'warp' | 'weft' | 'shear' | 'room' | 'curvature' | 'pressure';
 
 export interface MapRule {
   unit: string;
@@ -17,42 +17,44 @@ export interface MapRule {
   signed: boolean;
   /** Small values are red: where cloth is near to the body it is tight. */
   smallIsRed: boolean;
+  /** Decimals of a value that is pointed at. */
+  digits: number;
+  /** Left by the service with a drape that has ended; others are measured here, also while it drapes. */
+  kept: boolean;
+  /** Nothing without a body. */
+  toBody: boolean;
 }
 
+const kHere = { signed: false, smallIsRed: false, digits: 1, kept: false, toBody: false };
+const kStretch: MapRule = { ...kHere, unit: '%', ends: [1, 2, 4, 8, 20, 40], signed: true };
+
+/** Scales as core/analysis/cloth_map has them. */
 export const kMaps: Record<MapKind, MapRule> = {
-  warp: {
-    unit: '%',
-    ends: [1, 2, 4, 8, 20, 40],
-    signed: true,
-    smallIsRed: false,
-  },
-  weft: {
-    unit: '%',
-    ends: [1, 2, 4, 8, 20, 40],
-    signed: true,
-    smallIsRed: false,
-  },
-  shear: {
-    unit: '°',
-    ends: [2, 4, 8, 16, 40],
-    signed: false,
-    smallIsRed: false,
-  },
-  room: {
-    unit: 'mm',
-    ends: [8, 16, 40, 80, 160],
-    signed: false,
-    smallIsRed: true,
-  },
+  warp: kStretch,
+  weft: kStretch,
+  shear: { ...kHere, unit: '°', ends: [2, 4, 8, 16, 40] },
+  room: { ...kHere, unit: 'mm', ends: [8, 16, 40, 80, 160], smallIsRed: true, toBody: true },
+  curvature: { ...kHere, unit: '1/m', ends: [4, 8, 20, 40, 80, 200], signed: true, kept: true },
+  pressure: { ...kHere, unit: 'kPa', ends: [0.2, 0.4, 0.8, 2, 4, 8, 20], digits: 2, kept: true, toBody: true },
 };
 
-/** What the service calls a map when it takes pictures. */
-export const kStillMaps: Record<MapKind, NonNullable<StillWish['map']>> = { warp: 'warp', weft: 'weft', shear: 'shear', room: 'ease' };
+export const kMapKinds = Object.keys(kMaps) as readonly MapKind[];
 
-const kKinds: readonly (MapKind | null)[] = [null, ...(Object.keys(kMaps) as MapKind[])];
+/** What the service calls a map. */
+export const kServiceMaps: Record<MapKind, NonNullable<StillWish['map']>> = {
+  warp: 'warp',
+  weft: 'weft',
+  shear: 'shear',
+  room: 'ease',
+  curvature: 'curvature',
+  pressure: 'pressure',
+};
 
-/** The cloth as it looks, then one map after the other. */
-export const nextMap = (now: MapKind | null): MapKind | null => kKinds[(kKinds.indexOf(now) + 1) % kKinds.length]!;
+/** The cloth as it looks, then one map after the other of those that can be shown. */
+export function nextMap(now: MapKind | null, isMissing: (kind: MapKind) => boolean): MapKind | null {
+  const kinds = [null, ...kMapKinds.filter((kind) => kind === now || !isMissing(kind))];
+  return kinds[(kinds.indexOf(now) + 1) % kinds.length]!;
+}
 
 /** From blue to red. */
 export const kBands = ['#2b4ea2', '#4c86c8', '#8ec1e2', '#cfe5ef', '#f8e4bd', '#f6b475', '#e26d49', '#b6262c'] as const;
@@ -104,11 +106,11 @@ export const mapUnit = (kind: MapKind): string => (kMaps[kind].unit === 'mm' ? p
 
 const inUnit = (kind: MapKind, value: number): number => (kMaps[kind].unit === 'mm' ? shownMm(value) : value);
 
-/** "−0.75", "10": no more digits than bands need. */
-export const bandFigure = (kind: MapKind, value: number): string => plain(inUnit(kind, value)).replace('-', '−');
+/** "−0.75", "10": no more digits than bands need, one more than a value has that is pointed at. */
+export const bandFigure = (kind: MapKind, value: number): string => plain(inUnit(kind, value), kMaps[kind].digits + 1).replace('-', '−');
 
 function shownIn(kind: MapKind, value: number): string {
-  const digits = kMaps[kind].unit === 'mm' ? patternDigits(1) : 1;
+  const digits = kMaps[kind].unit === 'mm' ? patternDigits(1) : kMaps[kind].digits;
   return fixed(inUnit(kind, value), digits).replace('-', '−');
 }
 
@@ -197,17 +199,21 @@ export function roomValues(surface: BodySurface, positions: Float32Array, most =
   return values;
 }
 
-/** Of a moment of the cloth; null where nothing can be measured. `surface`: of the body; null: there is none. */
+export interface MeasuredCloth {
+  topology: ClothTopology | null;
+  positions: Float32Array | null;
+}
+
+/** Of a moment of the cloth, what can be measured here; null where nothing can. `surface`: of the body; null: there is none. */
 export function measured(
   kind: MapKind,
-  cloth: { topology: ClothTopology | null; positions: Float32Array | null },
+  { topology, positions }: MeasuredCloth,
   grains: ReadonlyMap<string, Point>,
   surface: () => BodySurface | null,
 ): Float32Array | null {
-  const { topology, positions } = cloth;
   if (!topology || positions?.length !== 3 * topology.vertexCount) return null;
-  if (kind !== 'room') return strainValues(kind, topology, positions, grains);
-  const around = surface();
+  if (kind === 'warp' || kind === 'weft' || kind === 'shear') return strainValues(kind, topology, positions, grains);
+  const around = kind === 'room' ? surface() : null;
   return around && roomValues(around, positions);
 }
 

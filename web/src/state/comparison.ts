@@ -10,6 +10,8 @@ import { stopText } from './report';
 import { count, duration, inSentence, percent, seconds } from './words';
 import { lengthWords, type LengthUnit } from '../texts/units';
 import type { MapKind } from './clothMaps';
+import type { Finish } from './fabrics';
+import type { Look } from './texture';
 import { t } from '../texts/language';
 
 /** How a drape ended, whole. */
@@ -21,6 +23,9 @@ export interface ComparedDrape {
   body: BodyMesh | null;
   /** As they were draped: their colours and grains. */
   pieces: readonly SeenPiece[];
+  /** The pictures that were on them. */
+  looks: ReadonlyMap<string, Look>;
+  finishes: ReadonlyMap<string, Finish>;
   report: Report | null;
 }
 

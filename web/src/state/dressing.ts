@@ -19,10 +19,9 @@ import type {
   TakenMeasure,
 } from '../api/dressing';
 import type { ApiError } from '../api/http';
-import type { SeamSides } from '../api/types';
 import { unit, type LengthUnit } from '../texts/units';
 import { PerProject } from './PerProject';
-import { seamTitle } from './seamView';
+import { edgeWords, seamTitle, type Sewn } from './seamNames';
 import { t } from '../texts/language';
 
 
@@ -189,9 +188,16 @@ export function pieceOf(finding: Finding, pieces: string[]): string | null {
 }
 
 /** What a finding is about, as a person calls it: seams by the pieces that they join. Empty where nothing is named. */
-export function aboutText({ about }: Finding, seams: readonly SeamSides[]): string {
-  const named = about.filter(({ thing }) => thing !== 'body');
-  return named.map(({ thing, id }) => (thing === 'seam' ? `${t.names.things.seam} ${seamTitle(seams, id)}` : `${t.names.things[thing]} ${id}`)).join(', ');
+export function aboutText({ about }: Finding, sewn: Sewn): string {
+  return about.flatMap(({ thing, id }, i) => (thing === 'body' ? [] : [`${t.names.things[thing]} ${nameOf(about, i, sewn) ?? id}`])).join(', ');
+}
+
+/** Of seams and edges; an edge is of the piece that is named before it. */
+function nameOf(about: Finding['about'], index: number, sewn: Sewn): string | null {
+  const { thing, id } = about[index]!;
+  if (thing === 'seam') return seamTitle(sewn, id);
+  const bearer = about.slice(0, index).reverse().find((one) => one.thing === 'piece');
+  return thing === 'edge' ? edgeWords(sewn.pieces.find((piece) => piece.id === bearer?.id), id) : null;
 }
 
 // ---- places

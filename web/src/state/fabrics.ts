@@ -1,8 +1,8 @@
 // Fabrics of the library as a person chooses them: what they are, how they fall and give, and which fit some words. Pure.
 
-import type { Fabric } from '../api/types';
+import type { Fabric, Piece } from '../api/types';
 import { fixed, plain } from '../texts/numbers';
-import { t } from '../texts/language';
+import { library, t, type FabricWords } from '../texts/language';
 
 const kGravity = 9.81;
 /** N/m, at which the tensile test of the KES ends: firmly pulled. */
@@ -80,8 +80,18 @@ export function finishOf(fabric: Pick<Fabric, 'name' | 'title' | 'fibre' | 'weav
   return { roughness: found.roughness, sheen: found.sheen, weave: weaveOf(fabric), thickness: fabric.thickness_mm / 1000 };
 }
 
+/** Of pieces, by their ids; those of fabrics that nothing is known of are left out. */
+export function finishesOf(pieces: readonly Pick<Piece, 'id' | 'fabric'>[], fabrics: readonly Fabric[]): ReadonlyMap<string, Finish> {
+  const known = new Map(fabrics.map((fabric) => [fabric.name, finishOf(fabric)]));
+  return new Map(pieces.flatMap(({ id, fabric }) => (known.has(fabric) ? [[id, known.get(fabric)!]] : [])));
+}
+
+/** What it is called, made of and used for, in the language that is spoken where the page has words for it. */
+export const wordsOf = (fabric: Fabric): FabricWords =>
+  library.value[fabric.name] ?? { title: fabric.title, make: makeOf(fabric), use: fabric.use ?? '' };
+
 /** "cotton, plain": without what is no word of cloth. */
-export const makeOf = ({ fibre, weave, construction }: Fabric): string =>
+const makeOf = ({ fibre, weave, construction }: Fabric): string =>
   [fibre === 'many' ? '' : fibre, weave === 'none' || weave === 'many' ? construction : weave].filter(Boolean).join(', ');
 
 export interface Figure {
@@ -114,8 +124,10 @@ export function originOf({ sources }: Fabric): string {
 }
 
 /** A document's own fabrics have no card, and are called by their name there. */
-export const fabricTitle = (name: string, fabrics: readonly Fabric[]): string =>
-  fabrics.find((one) => one.name === name)?.title ?? name;
+export function fabricTitle(name: string, fabrics: readonly Fabric[]): string {
+  const known = fabrics.find((one) => one.name === name);
+  return known ? wordsOf(known).title : name;
+}
 
 export type Kind = 'all' | 'woven' | 'knit' | 'other';
 
@@ -124,9 +136,12 @@ export function fabricsFound(fabrics: readonly Fabric[], text: string, kind: Kin
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
   const isOf = ({ construction }: Fabric): boolean =>
     kind === 'all' || (kind === 'other' ? construction !== 'woven' && construction !== 'knit' : construction === kind);
-  const says = (fabric: Fabric): string =>
-    [fabric.name, fabric.title, fabric.fibre, fabric.weave, fabric.construction, fabric.use ?? '', handOf(fabric)].join(' ').toLowerCase();
+  const says = (fabric: Fabric): string => {
+    const { title, make, use } = wordsOf(fabric);
+    const { name, construction } = fabric;
+    return [name, title, make, use, fabric.title, makeOf(fabric), construction, fabric.use, handOf(fabric)].join(' ').toLowerCase();
+  };
   return fabrics
     .filter((fabric) => isOf(fabric) && words.every((word) => says(fabric).includes(word)))
-    .sort((a, b) => a.areal_mass_g_m2 - b.areal_mass_g_m2 || a.title.localeCompare(b.title));
+    .sort((a, b) => a.areal_mass_g_m2 - b.areal_mass_g_m2 || wordsOf(a).title.localeCompare(wordsOf(b).title));
 }

@@ -1,6 +1,6 @@
-// Flat pieces as the 2D view lays them out: boxes, places, colours of seams. Pure; millimetres, y up.
+// Flat pieces in figures: boxes, places inside, lengths of lines. Pure; millimetres, y up.
 
-import type { Piece, Point } from '../api/types';
+import type { Point } from '../api/types';
 
 export interface Box {
   minX: number;
@@ -29,94 +29,15 @@ export function joined(boxes: readonly Box[]): Box {
   );
 }
 
-export interface PlacedPiece {
-  piece: Piece;
-  /** Where the piece is moved to, mm. */
-  offset: Point;
-  /** After the move. */
-  box: Box;
-  centre: Point;
-}
-
-const moved = (box: Box, [dx, dy]: Point): Box => ({
+export const movedBox = (box: Box, [dx, dy]: Point): Box => ({
   minX: box.minX + dx,
   minY: box.minY + dy,
   maxX: box.maxX + dx,
   maxY: box.maxY + dy,
 });
-const overlap = (a: Box, b: Box): boolean => a.minX < b.maxX && b.minX < a.maxX && a.minY < b.maxY && b.minY < a.maxY;
 
-/** Space between pieces that are laid out anew, mm. */
-const kGap = 60;
-
-/**
- * Pieces stay where the pattern has them. Where that would put one on top of another, or all of them in one long row, they
- * are laid in rows instead, tallest first, about as wide as high. Pieces in `kept` stay where they were shown; others come beside them when they
- * would lie on one.
- */
-export function layOut(pieces: readonly Piece[], kept: ReadonlyMap<string, Point> = new Map()): PlacedPiece[] {
-  const boxes = pieces.map((piece) => boxOf(piece.outline));
-  const anyKept = pieces.some((piece) => kept.has(piece.id));
-  const anew = clash(boxes) || strungOut(boxes);
-  const offsets = anyKept ? besideKept(pieces, boxes, kept) : anew ? inRows(boxes) : boxes.map(unmoved);
-  return pieces.map((piece, i) => {
-    const box = moved(boxes[i]!, offsets[i]!);
-    return { piece, offset: offsets[i]!, box, centre: add(insideOf(piece.outline), offsets[i]!) };
-  });
-}
-
-const unmoved = (): Point => [0, 0];
-/** So long a row that its pieces could hardly be seen. */
-const strungOut = (boxes: readonly Box[]): boolean => {
-  if (boxes.length < 4) return false;
-  const all = joined(boxes);
-  const [w, h] = [all.maxX - all.minX, all.maxY - all.minY];
-  return Math.max(w, h) > 4 * Math.min(w, h);
-};
-const clash = (boxes: readonly Box[]): boolean => boxes.some((a, i) => boxes.some((b, j) => j > i && overlap(a, b)));
-
-function besideKept(pieces: readonly Piece[], boxes: readonly Box[], kept: ReadonlyMap<string, Point>): Point[] {
-  const places = boxes.flatMap((box, i) => {
-    const offset = kept.get(pieces[i]!.id);
-    return offset ? [moved(box, offset)] : [];
-  });
-  return boxes.map((box, i): Point => {
-    const offset = kept.get(pieces[i]!.id);
-    if (offset) return offset;
-    const free = places.every((place) => !overlap(place, box));
-    const right = joined(places);
-    const found: Point = free ? [0, 0] : [right.maxX + kGap - box.minX, right.maxY - box.maxY];
-    places.push(moved(box, found));
-    return found;
-  });
-}
-
-const add = (a: Point, b: Point): Point => [a[0] + b[0], a[1] + b[1]];
-
-function inRows(boxes: readonly Box[]): Point[] {
-  const area = boxes.reduce((sum, b) => sum + (b.maxX - b.minX + kGap) * (b.maxY - b.minY + kGap), 0);
-  const width = Math.max(Math.sqrt(area) * 1.15, ...boxes.map((b) => b.maxX - b.minX));
-  const order = boxes.map((_, i) => i).sort((a, b) => heightOf(boxes[b]!) - heightOf(boxes[a]!) || a - b);
-  const offsets: Point[] = boxes.map(() => [0, 0]);
-  let x = 0;
-  let y = 0;
-  let row = 0;
-  for (const i of order) {
-    const box = boxes[i]!;
-    const w = box.maxX - box.minX;
-    if (x > 0 && x + w > width) {
-      y -= row + kGap;
-      x = 0;
-      row = 0;
-    }
-    offsets[i] = [x - box.minX, y - box.maxY];
-    x += w + kGap;
-    row = Math.max(row, heightOf(box));
-  }
-  return offsets;
-}
-
-const heightOf = (box: Box): number => box.maxY - box.minY;
+export const widthOf = (box: Box): number => box.maxX - box.minX;
+export const heightOf = (box: Box): number => box.maxY - box.minY;
 
 /** A point inside an outline that is a good place for a label: the middle of the widest span of some level lines. */
 export function insideOf(outline: readonly Point[]): Point {
@@ -135,6 +56,13 @@ export function insideOf(outline: readonly Point[]): Point {
     }
   }
   return best;
+}
+
+/** How wide an outline is on the level of a point within it. */
+export function spanAt(outline: readonly Point[], [x, y]: Point): number {
+  const cuts = cutsAt(outline, y);
+  const after = cuts.findIndex((cut) => cut > x);
+  return after > 0 ? cuts[after]! - cuts[after - 1]! : 0;
 }
 
 function cutsAt(outline: readonly Point[], y: number): number[] {

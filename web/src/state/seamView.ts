@@ -2,7 +2,7 @@
 
 import type { Piece, PieceEdge, Point, SeamEdge, SeamProposal, SeamSides } from '../api/types';
 import { distance } from './outline';
-import { boxOf, cutLine, lengthOf } from './patternGeometry';
+import { cutLine, lengthOf } from './patternGeometry';
 import { fixed } from '../texts/numbers';
 import { patternFigure, patternLength } from '../texts/units';
 import { t } from '../texts/language';
@@ -33,7 +33,7 @@ export interface SeamMark {
 const edgesOf = (pieces: readonly Piece[]): Map<string, PieceEdge> =>
   new Map(pieces.flatMap((piece) => piece.edges.map((edge) => [`${piece.id}\n${edge.id}`, edge] as const)));
 
-function partsOfSide(side: Side, series: readonly SeamEdge[], edges: Map<string, PieceEdge>): SeamPart[] {
+function partsOf(side: Side, series: readonly SeamEdge[], edges: Map<string, PieceEdge>): SeamPart[] {
   return series.flatMap((use): SeamPart[] => {
     const edge = edges.get(`${use.piece}\n${use.edge}`);
     if (!edge) return [];
@@ -45,8 +45,8 @@ function partsOfSide(side: Side, series: readonly SeamEdge[], edges: Map<string,
 /** All parts of a seam; edges that the pieces do not have are left away. */
 export function seamParts(pieces: readonly Piece[], seam: SeamSides): SeamPart[] {
   const edges = edgesOf(pieces);
-  const a = partsOfSide('a', seam.a, edges);
-  const b = partsOfSide('b', seam.b, edges);
+  const a = partsOf('a', seam.a, edges);
+  const b = partsOf('b', seam.b, edges);
   if (seam.same_direction) return [...a, ...b];
   return [...a, ...b.reverse().map((part) => ({ ...part, points: [...part.points].reverse() }))];
 }
@@ -96,9 +96,13 @@ export function seamMarks(parts: readonly SeamPart[], long: number): SeamMark[] 
   });
 }
 
+/** The point half way along a series of edges; null where the pieces have none of them. */
+export const middleOf = (pieces: readonly Piece[], series: readonly SeamEdge[]): Point | null =>
+  alongSide(partsOf('a', series, edgesOf(pieces)), 0.5);
+
 /** How long a series of edges is, with the parts of them that are sewn. */
 export const lengthOfSeries = (pieces: readonly Piece[], series: readonly SeamEdge[]): number =>
-  partsOfSide('a', series, edgesOf(pieces)).reduce((sum, part) => sum + lengthOf(part.points), 0);
+  partsOf('a', series, edgesOf(pieces)).reduce((sum, part) => sum + lengthOf(part.points), 0);
 
 export interface SeamLengths {
   a: number;
@@ -127,85 +131,6 @@ export function lengthsText(a: number, b: number): { lengths: string; difference
     difference: off < 0.05 ? t.pattern.equal : `${patternLength(off)}${share}`,
   };
 }
-
-/** "front · waist + back · right": edges without a name of a person's by where they lie on their piece. */
-export const seriesText = (series: readonly SeamEdge[], pieces: readonly Piece[] = []): string =>
-  series
-    .map((use) => `${use.piece} · ${edgeWords(pieces.find((one) => one.id === use.piece), use.edge)}${partText(use)}`)
-    .join(' + ');
-
-/** Ids that the service gave edges, not a person. */
-const kGivenEdge = /^(e|edge)?\d+$/;
-/** Of half a piece's breadth or height: what lies further out is at that side. */
-const kAside = 0.45;
-
-/** An edge as a person would call it: its name, or where its middle lies on the piece as it is drawn. */
-export function edgeWords(piece: Piece | undefined, id: string): string {
-  return (piece && edgeTitles(piece).get(id)) ?? id;
-}
-
-/** Of all edges of a piece; those that lie at the same place are counted. */
-export function edgeTitles(piece: Piece): ReadonlyMap<string, string> {
-  const places = piece.edges.map((edge) => placeOf(piece, edge));
-  const all = new Map<string, number>();
-  for (const place of places) all.set(place, (all.get(place) ?? 0) + 1);
-  const met = new Map<string, number>();
-  const titles = places.map((place) => {
-    met.set(place, (met.get(place) ?? 0) + 1);
-    return all.get(place)! > 1 ? `${place} (${met.get(place)})` : place;
-  });
-  return new Map(piece.edges.map((edge, i) => [edge.id, titles[i]!]));
-}
-
-function placeOf(piece: Piece, edge: PieceEdge): string {
-  const middle = alongLine(edge.points, 0.5)?.at ?? edge.points[0];
-  if (!kGivenEdge.test(edge.id) || !middle) return edge.id;
-  const { minX, maxX, minY, maxY } = boxOf(piece.outline);
-  const { top, bottom, left, right, middle: between } = t.pattern.sides;
-  const words = [aside(middle[1], minY, maxY, bottom, top), aside(middle[0], minX, maxX, left, right)];
-  return words.filter(Boolean).join(' ') || between;
-}
-
-/** Which end of a range a value is near; empty: neither. */
-function aside(value: number, from: number, to: number, low: string, high: string): string {
-  const place = (2 * (value - from)) / Math.max(to - from, 1e-9) - 1;
-  if (Math.abs(place) <= kAside) return '';
-  return place > 0 ? high : low;
-}
-
-const partText = ({ from = 0, to = 1 }: SeamEdge): string =>
-  from > 0 || to < 1 ? ` (${Math.round(100 * from)}–${Math.round(100 * to)} %)` : '';
-
-/** Ids that the service or the page gave, not a person. */
-const kGivenId = /^(seam|s)?\d+$/;
-export const isGivenSeam = (id: string): boolean => kGivenId.test(id);
-
-/** "front to back and back_mirrored": the pieces that a seam joins, each once. */
-function joins({ a, b }: SeamSides): string {
-  const [from, to] = [a, b].map((series) => [...new Set(series.map((use) => use.piece))]);
-  const all = (ids: string[]): string => ids.join(` ${t.pattern.and} `);
-  return from!.join() === to!.join() ? t.pattern.toItself(all(from!)) : t.pattern.joins(all(from!), all(to!));
-}
-
-/** So many edges can be told one by one. */
-const kTold = 3;
-
-/** A seam without its number: its name, or the edges that it joins. */
-export function seamWords(seam: SeamSides, pieces: readonly Piece[]): string {
-  if (!isGivenSeam(seam.id)) return seam.id;
-  const { a, b } = seam;
-  return a.length + b.length > kTold ? joins(seam) : t.pattern.joins(seriesText(a, pieces), seriesText(b, pieces));
-}
-
-/** A seam as a person would call it: its number on the pattern with its name, or with the pieces that it joins. */
-export function seamTitle(seams: readonly SeamSides[], id: string): string {
-  const index = seams.findIndex((seam) => seam.id === id);
-  const seam = seams[index];
-  return seam ? numberedTitle(seam, index) : id;
-}
-
-export const numberedTitle = (seam: SeamSides, index: number): string =>
-  `${index + 1} ${isGivenSeam(seam.id) ? joins(seam) : seam.id}`;
 
 /** Seams that use an edge, by their number. */
 export function seamsOfEdge(seams: readonly SeamSides[], piece: string, edge: string): number[] {

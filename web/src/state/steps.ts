@@ -2,7 +2,7 @@
 
 import type { Edit, EditStep, Fabric, Piece, SeamSides } from '../api/types';
 import { fabricTitle } from './fabrics';
-import { edgeWords, isGivenSeam, seamWords } from './seamView';
+import { edgeWords, isGivenSeam, seamWords, type Sewn } from './seamNames';
 import { t } from '../texts/language';
 
 /** What steps may be about. */
@@ -26,15 +26,17 @@ function restoreText(edit: Edit): string {
   return 'pieces' in edit ? t.edits.change.pieces : t.edits.change.other;
 }
 
+const sewnOf = ({ pieces, seams }: Known): Sewn => ({ pieces, seams: [...seams.values()] });
+
 /** An id that nobody gave a name says nothing of a seam that is not known any more. */
-function seamOf(id: string, { pieces, seams }: Known): string {
-  const seam = seams.get(id);
-  if (seam) return seamWords(seam, pieces);
+function seamOf(id: string, known: Known): string {
+  const seam = known.seams.get(id);
+  if (seam) return seamWords(seam, sewnOf(known));
   return isGivenSeam(id) ? '' : id;
 }
 
 function whatOf(edit: Edit, known: Known): string {
-  if (edit.edit === 'add_seam') return seamWords(edit, known.pieces);
+  if (edit.edit === 'add_seam') return seamWords(edit, sewnOf(known));
   const on: Record<string, unknown> = { ...edit };
   if (typeof on.seam === 'string') return seamOf(on.seam, known);
   const edge = typeof on.edge === 'string' ? edgeWords(known.pieces.find(({ id }) => id === on.piece), on.edge) : on.line;

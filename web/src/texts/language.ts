@@ -19,14 +19,24 @@ export const language: ReadonlySignal<Language> = spoken;
 /** The texts of the language that is spoken: who reads them in a view is drawn anew when it changes. */
 export const t: Texts = new Proxy(en, { get: (_, section) => table.value[section as keyof Texts] });
 
+/** What a fabric of the library is called, made of and used for; empty: the library does not say. */
+export interface FabricWords {
+  title: string;
+  make: string;
+  use: string;
+}
+
 interface Fetchers {
   texts(): Promise<Texts>;
   codes(): Promise<Codes>;
+  library(): Promise<Library>;
 }
 
+type Library = Readonly<Record<string, FabricWords>>;
+
 const fetchers: Record<Language, Fetchers> = {
-  en: { texts: () => Promise.resolve(en), codes: async () => (await import('./en/codes')).codes },
-  de: { texts: async () => (await import('./de')).de, codes: async () => (await import('./de/codes')).codes },
+  en: { texts: () => Promise.resolve(en), codes: async () => (await import('./en/codes')).codes, library: () => Promise.resolve({}) },
+  de: { texts: async () => (await import('./de')).de, codes: async () => (await import('./de/codes')).codes, library: async () => (await import('./de/library')).library },
 };
 
 const told = signal<Readonly<Record<string, string>>>({});
@@ -34,18 +44,24 @@ const told = signal<Readonly<Record<string, string>>>({});
 /** What codes mean. Nothing has gone wrong yet when the page begins: they come after it. */
 export const codes: ReadonlySignal<Readonly<Record<string, string>>> = told;
 
+const cloths = signal<Library>({});
+
+/** Words for the library's fabrics, by their names there, where the service's own are of another language. */
+export const library: ReadonlySignal<Library> = cloths;
+
 /** The last one that was asked for: an earlier one that comes later does not count. */
 let wanted: Language = 'en';
 
 /** Speaks a language from now on. Where its texts cannot be had the page stays with the one it has. */
 export async function speak(next: Language): Promise<void> {
   wanted = next;
-  const texts = await fetchers[next].texts();
+  const [texts, fabrics] = await Promise.all([fetchers[next].texts(), fetchers[next].library()]);
   if (wanted !== next) return;
   batch(() => {
     if (next !== spoken.peek()) told.value = {};
     spoken.value = next;
     table.value = texts;
+    cloths.value = fabrics;
   });
   if (typeof document !== 'undefined') document.documentElement.lang = next;
 }

@@ -24,9 +24,9 @@ export const fixed = (value: number, digits: number): string =>
 /** A whole number, its thousands apart. */
 export const count = (value: number): string => format(0, true).format(value);
 
-/** A figure with as many digits as it has, two at most. */
-export const plain = (value: number): string =>
-  new Intl.NumberFormat(language.value, { maximumFractionDigits: 2, useGrouping: false }).format(value);
+/** A figure with as many digits as it has, two at most or as many as are told. */
+export const plain = (value: number, digits = 2): string =>
+  new Intl.NumberFormat(language.value, { maximumFractionDigits: digits, useGrouping: false }).format(value);
 
 /** A day: "3 Feb 2026", "03.02.2026". */
 export const day = (ms: number): string =>

@@ -121,7 +121,7 @@ export const bindings: Binding[] = [
     title: () => t.keys.does.map,
     group: 'view',
     work: true,
-    run: (_, s) => (s.mapKind.value = nextMap(s.mapKind.value)),
+    run: (_, s) => (s.mapKind.value = nextMap(s.mapKind.value, (kind) => s.missingMaps.value[kind] !== undefined)),
   },
   {
     key: 'c',

@@ -3,6 +3,7 @@ import { fireEvent, screen, within } from '@testing-library/dom';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { click, openPage, type Page } from './page';
 import { ApiError } from '../../src/api/http';
+import { speak } from '../../src/texts/language';
 import type { Sample } from '../../src/api/samples';
 import type { Job } from '../../src/api/types';
 import { Banner } from '../../src/panels/Banner';
@@ -319,6 +320,14 @@ describe('the list of projects and drapes', () => {
     expect(links[0]!.getAttribute('aria-current')).toBe('true');
     expect(links[1]!.getAttribute('aria-current')).toBe('page');
     expect(links[2]!.querySelector('img')!.getAttribute('src')).toBe('/results/j_1/thumbnail.png');
+  });
+
+  it('shows how far a drape is in every language: CSS knows no decimal comma', async () => {
+    page.change((state) => (state.jobs.value = ready([jobOf({ progress: progressOf({ phase: 'sew', fraction: 0.5 }) })])));
+    await speak('de');
+    page.show(<Rail resultUrl={resultUrl} />);
+    expect(document.querySelector<HTMLElement>('.hairbar i')!.style.width).toBe('22.5%');
+    await speak('en');
   });
 
   it('says of a project that it was not draped', () => {

@@ -412,6 +412,8 @@ describe('drapes beside each other', () => {
         positions: new Float32Array(0),
         body: null,
         pieces: [],
+        looks: new Map(),
+        finishes: new Map(),
         report: reportOf({ particles }),
       },
     });

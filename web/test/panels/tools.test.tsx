@@ -188,7 +188,7 @@ describe('the tool for pieces', () => {
 });
 
 describe('the tool for points', () => {
-  const corner = (): HTMLElement => button(/Corner at the start of edge e2 at/);
+  const corner = (): HTMLElement => button(/Corner at the start of edge “top” at/);
 
   it('asks for a piece first', () => {
     open(points);
@@ -228,7 +228,7 @@ describe('the tool for points', () => {
       state.selected.value = 'a';
       state.editing.part.value = { kind: 'edge', piece: 'a', edge: 'e0' };
     });
-    drag(button(/Handle 1 of curve 1 of edge e0/), [0, -20], { altKey: true });
+    drag(button(/Handle 1 of curve 1 of edge “bottom”/), [0, -20], { altKey: true });
     expect(page.asked()[1]![1]).toMatchObject({ edit: 'move_handle', edge: 'e0', curve: 0, handle: 1, to: [33.33, -20] });
   });
 
@@ -247,7 +247,7 @@ describe('the tool for points', () => {
 
   it('selects edges, and puts a point where one is clicked twice', () => {
     open(points);
-    const edge = button(/Edge e1 of a/);
+    const edge = button(/Edge of a: right/);
     fireEvent.pointerDown(edge, { button: 0 });
     fireEvent.dblClick(edge);
     expect(page.asked()).toMatchObject([
@@ -258,8 +258,8 @@ describe('the tool for points', () => {
 
   it('lights the seam of the edge that is pointed at', () => {
     open(points);
-    fireEvent.pointerEnter(button(/Edge e1 of a/));
-    fireEvent.pointerLeave(button(/Edge e1 of a/));
+    fireEvent.pointerEnter(button(/Edge of a: right/));
+    fireEvent.pointerLeave(button(/Edge of a: right/));
     expect(page.asked()).toEqual([
       ['pattern.lightSeam', 'side'],
       ['pattern.lightSeam', null],
@@ -277,10 +277,10 @@ describe('the tool for seams', () => {
 
   it('takes edges by pointer and by key; Enter on one that is taken goes on', () => {
     open(sew);
-    fireEvent.pointerDown(button(/Edge e0 of a/), { button: 0 });
-    fireEvent.keyDown(button(/Edge e0 of b/), { key: ' ' });
+    fireEvent.pointerDown(button(/Edge of a: bottom/), { button: 0 });
+    fireEvent.keyDown(button(/Edge of b: bottom/), { key: ' ' });
     page.change((state) => (state.editing.draft.value = { ...emptyDraft, a: [{ piece: 'a', edge: 'e0' }] }));
-    fireEvent.keyDown(button(/Edge e0 of a/), { key: 'Enter' });
+    fireEvent.keyDown(button(/Edge of a: bottom/), { key: 'Enter' });
     expect(page.asked()).toEqual([
       ['seams.sewEdge', 'a', 'e0'],
       ['seams.sewEdge', 'b', 'e0'],
@@ -343,12 +343,12 @@ describe('the tool for ranges', () => {
     expect(note()).toBe('Click where one side begins, and where it ends');
     const plane = screen.getByRole('group');
     fireEvent.pointerMove(plane, { clientX: 100, clientY: 100 });
-    fireEvent.pointerDown(button(/Edge e1 of a/), { clientX: 100, clientY: 100, button: 0, buttons: 1, shiftKey: true });
+    fireEvent.pointerDown(button(/Edge of a: right/), { clientX: 100, clientY: 100, button: 0, buttons: 1, shiftKey: true });
     expect(document.activeElement, 'keys that follow are the plane’s').toBe(plane);
     fireEvent.pointerMove(plane, { clientX: 140, clientY: 100, buttons: 1 });
     fireEvent.pointerUp(plane, { clientX: 140, clientY: 100, button: 0 });
     fireEvent.pointerLeave(plane);
-    fireEvent.keyDown(button(/Edge e1 of a/), { key: 'Enter' });
+    fireEvent.keyDown(button(/Edge of a: right/), { key: 'Enter' });
     const calls = page.asked();
     expect(calls.map(([name]) => name)).toEqual([
       'ranges.point',
@@ -385,7 +385,7 @@ describe('the tool for ranges', () => {
     expect(note()).toMatch(/^Click where the other side begins/);
     page.change(({ editing }) => (editing.draft.value = { ...editing.draft.value, b: [{ piece: 'b', edge: 'e3', to: 0.8 }] }));
     expect(note()).toBe('New seam 80.0 ⇄ 80.0 mm · equal · Enter sews');
-    expect(button(/Edge e1 of a/).getAttribute('aria-pressed')).toBe('false');
+    expect(button(/Edge of a: right/).getAttribute('aria-pressed')).toBe('false');
   });
 });
 
@@ -400,7 +400,7 @@ describe('a tool that is added to the table', () => {
 
   it('is asked what it makes of the pointer', () => {
     open(knife);
-    fireEvent.pointerDown(button(/Edge e1 of a/), { button: 0 });
+    fireEvent.pointerDown(button(/Edge of a: right/), { button: 0 });
     expect(page.asked()).toEqual([['edits.send', { edit: 'split_edge', piece: 'a', edge: 'e1', at: 0.5 }]]);
   });
 
@@ -425,12 +425,12 @@ describe('pieces that come anew', () => {
   it('stand where the service has them', () => {
     open(points);
     page.change((state) => (state.selected.value = 'a'));
-    drag(button(/Corner at the start of edge e2 at/), [40, 30], { altKey: true });
+    drag(button(/Corner at the start of edge “top” at/), [40, 30], { altKey: true });
     page.change((state) => {
       state.projects.value = ready([projectOf({ revision: 2 })]);
       state.pieces.value = ready({ pieces: [squareOf('a', 0, 0, 120)], seams: [] });
     });
-    expect(button(/Corner at the start of edge e2 at 120\.0, 120\.0 mm/)).toBeTruthy();
+    expect(button(/Corner at the start of edge “top” at 120\.0, 120\.0 mm/)).toBeTruthy();
     expect(note()).toBeUndefined();
   });
 });

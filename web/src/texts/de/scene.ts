@@ -35,6 +35,19 @@ export const scene: Texts['scene'] = {
       title: 'Abstand zum Körper',
       words: 'Rot liegt am Körper an, Blau hängt frei.',
     },
+    curvature: {
+      title: 'Wölbung',
+      words: 'Rot wölbt sich nach außen, Blau ist hohl.',
+    },
+    pressure: {
+      title: 'Druck auf die Haut',
+      words: 'Wie fest der Stoff drückt; 0, wo er absteht.',
+    },
+  },
+  missing: {
+    live: (map) => `${map}, sobald es hängt`,
+    none: (map) => `${map}, nicht aufgehoben`,
+    bodyless: (map) => `${map}, ohne Körper`,
   },
   title: '3D-Ansicht',
   canvas: 'Körper und Stoff; Pfeiltasten drehen, Plus und Minus zoomen',

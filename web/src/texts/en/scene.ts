@@ -34,6 +34,20 @@ export const scene = {
       title: 'Room to the body',
       words: 'Red lies on the body, blue hangs free.',
     },
+    curvature: {
+      title: 'Curvature',
+      words: 'Red bulges outwards, blue is hollow.',
+    },
+    pressure: {
+      title: 'Pressure on the skin',
+      words: 'How firmly it presses; 0 where it stands off.',
+    },
+  },
+  /** A map that cannot be shown now. */
+  missing: {
+    live: (map: string) => `${map}, once it hangs`,
+    none: (map: string) => `${map}, not kept`,
+    bodyless: (map: string) => `${map}, without a body`,
   },
   title: '3D view',
   canvas: 'Body and cloth; arrow keys turn, plus and minus zoom',
