@@ -26,6 +26,7 @@ constexpr double kOverNeck = 0.005;                      // m
 constexpr double kShoulderLow = 0.12;  // m, how far shoulder seams may lie below the highest stitches
 constexpr double kCollarAway = 0.04;   ///< m, before what they are sewn to
 constexpr double kCuffAway = 0.06;     ///< m, of the right leg's: the left one's lies between
+constexpr double kOverHand = 0.06;     ///< m, beyond the wrist, where a cuff ends at most
 constexpr double kApart = 0.02;        ///< m, between sheets that face one way
 
 /// Cuffs among the trunk's pieces are those of legs.
@@ -307,11 +308,11 @@ double Arranger::out_of_tube(Index piece, const SleeveLine& line, measure::BodyS
   const double beyond = begin + end + kSheetGap - dot(mean_of(hanging->mine) - line.begin, line.along);
   const GarmentPiece& p = plan_.graph.pieces[piece];
   if (p.cover != Cover::kCuff) return beyond;
-  // A cuff is narrower than a hand, and closes around the wrist however far out its sleeve begins.
+  // A cuff is narrower than a hand, so that it closes about the wrist however far out its sleeve begins.
   const measure::ArmLine& arm = stand_.figure().arm[side];
   double low = -HUGE_VAL;
   for (const Vec2 q : p.outline) low = std::max(low, dot(q - line.begin, line.along));
-  return std::min(beyond, length(arm.wrist - arm.root) - low);
+  return std::min(beyond, length(arm.wrist - arm.root) + kOverHand - low);
 }
 
 Arranger::Placed Arranger::tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const {

@@ -75,6 +75,7 @@ int meeting_ends(const SeamModel& m, const Line& a, const Line& b) {
 bool has_partner(const SeamModel& m, Index r) {
   for (Index other = 0; other < static_cast<Index>(m.runs.size()); ++other) {
     if (m.runs[other].panel == m.runs[r].panel || other == m.mirror[r]) continue;
+    if (m.runs[r].cap && begins_at_hem(m, m.runs[other])) continue;  // a side that is as long by chance
     if (difference(m.runs[other].length, m.runs[r].length) < kCutWeights.alike) return true;
   }
   return false;

@@ -135,7 +135,8 @@ double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sl
   const bool wrist = m.upright[sleeve.panel] && sleeve.up < -kPairWeights.facing;
   const bool neck = m.upright[torso.panel] && torso.up > kPairWeights.facing &&
                     m.twin[torso.panel] == torso.panel && torso.mirror_edge == torso.edge;
-  if (wrist || neck) return kPairWeights.never_meet;
+  const bool from_hem = begins_at_hem(m, torso) && torso.from == 0 && torso.to == 1;
+  if (wrist || neck || from_hem) return kPairWeights.never_meet;
   // A side that goes up to the shoulder, and the level top of a sleeve that is set on without a cap.
   const bool dropped = m.upright[sleeve.panel] && sleeve.up > kPairWeights.facing &&
                        meets_shoulder(m, torso) && !begins_at_hem(m, torso);
@@ -231,6 +232,17 @@ bool is_raglan_neck(const SeamModel& m, const SeamRun& collar, const SeamRun& sl
 /// Whether the run may be a brief's crotch: short, between the openings for the legs.
 bool is_crotch(const SeamModel& m, const SeamRun& run) {
   return run.length < kPairWeights.crotch * m.girth[run.panel] && lies_between_hollows(m, run);
+}
+
+/// Whether the run may be below the arm of a sleeve that is cut on: it faces down and meets a side in a
+/// corner that turns in.
+bool is_below_arm(const SeamModel& m, const SeamRun& run) {
+  const SeamRun& after = m.runs[run.next];
+  if (after.angle > kPairWeights.turns_in_deg && begins_at_hem(m, after)) return true;
+  return run.angle > kPairWeights.turns_in_deg &&
+         std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
+           return &m.runs[before.next] == &run && begins_at_hem(m, before);
+         });
 }
 
 }  // namespace
@@ -329,7 +341,10 @@ double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
   const double ua = a.up, ub = b.up;
-  if (ua < -mostly && ub < -mostly) return is_crotch(m, a) && is_crotch(m, b) ? 0 : kPairWeights.two_hems;
+  if (ua < -mostly && ub < -mostly) {
+    const bool meet = (is_crotch(m, a) && is_crotch(m, b)) || (is_below_arm(m, a) && is_below_arm(m, b));
+    return meet ? 0 : kPairWeights.two_hems;
+  }
   if (ua > fully && ub > fully) return level_merit(m, a, b);
   const double level = std::max(std::abs(ua), std::abs(ub)), upright = std::min(std::abs(ua), std::abs(ub));
   if (level > fully && upright < kPairWeights.side_up && is_named_alike(m, a, b))

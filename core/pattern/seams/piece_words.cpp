@@ -101,7 +101,9 @@ PieceWords words_of(const std::string& name) {
   words.layer = holds_in_a_row(all, "chest", "piece") || holds_in_a_row(all, "under", "collar") ||
                 holds_in_a_row(all, "collar", "under");
   if (tells_band(all, "neck")) words.kind = PieceKind::kCollar;
-  words.hem_band = tells_band(all, "hem") || tells_band(all, "bottom");
+  words.hem_band = tells_band(all, "hem") || tells_band(all, "bottom") || tells_band(all, "waist");
+  if (words.hem_band && words.kind == PieceKind::kBand)
+    words.hem_band = false;  // "waistband" is what it says
   words.leg = words.kind == PieceKind::kLegs;
   for (const std::string& w : all) {
     const auto is = [&](std::initializer_list<const char*> any) {

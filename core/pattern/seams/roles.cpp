@@ -83,8 +83,8 @@ void name_legs(SeamModel& m) {
 }
 
 void find_banded_fronts(SeamModel& m) {
-  constexpr double kSame = 0.02, kStrip = 0.35;  // of the length; of the outline
-  double neck = 0;                               // of the back, mm
+  constexpr double kSame = 0.035, kStrip = 0.35;  // of the length; of the outline
+  double neck = 0;                                // of the back, mm
   for (const SeamRun& run : m.runs) {
     const PieceWords& words = m.words[run.panel];
     const bool whole = m.twin[run.panel] == run.panel && run.mirror_edge == run.edge;
