@@ -75,7 +75,7 @@ int meeting_ends(const SeamModel& m, const Line& a, const Line& b) {
 bool has_partner(const SeamModel& m, Index r) {
   for (Index other = 0; other < static_cast<Index>(m.runs.size()); ++other) {
     if (m.runs[other].panel == m.runs[r].panel || other == m.mirror[r]) continue;
-    if (m.runs[r].cap && begins_at_hem(m, m.runs[other])) continue;  // a side that is as long by chance
+    if (m.runs[r].cap && !m.tailored && begins_at_hem(m, m.runs[other])) continue;  // a side that is as long by chance
     if (difference(m.runs[other].length, m.runs[r].length) < kCutWeights.alike) return true;
   }
   return false;
@@ -93,7 +93,7 @@ bool is_set_in(const SeamModel& m, Index cap, Index x, Index y) {
     return m.words[m.runs[r].panel].kind == PieceKind::kTorso &&
            m.runs[r].turn.back() < kPairWeights.twin_hollow_deg;
   };
-  return m.runs[cap].cap && armhole(x) && armhole(y) &&
+  return m.runs[cap].cap && !m.tailored && armhole(x) && armhole(y) &&
          m.words[m.runs[x].panel].face * m.words[m.runs[y].panel].face < 0;
 }
 

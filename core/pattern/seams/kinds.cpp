@@ -138,7 +138,7 @@ double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sl
   const bool from_hem = begins_at_hem(m, torso) && torso.from == 0 && torso.to == 1;
   if (wrist || neck || from_hem) return kPairWeights.never_meet;
   // A side that goes up to the shoulder, and the level top of a sleeve that is set on without a cap.
-  const bool dropped = m.upright[sleeve.panel] && sleeve.up > kPairWeights.facing &&
+  const bool dropped = !sleeve.cap && m.upright[sleeve.panel] && sleeve.up > kPairWeights.facing &&
                        meets_shoulder(m, torso) && !begins_at_hem(m, torso);
   if (dropped) return kPairWeights.armhole + kPairWeights.cap;
   const bool hollow =
