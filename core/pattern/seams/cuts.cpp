@@ -75,7 +75,8 @@ int meeting_ends(const SeamModel& m, const Line& a, const Line& b) {
 bool has_partner(const SeamModel& m, Index r) {
   for (Index other = 0; other < static_cast<Index>(m.runs.size()); ++other) {
     if (m.runs[other].panel == m.runs[r].panel || other == m.mirror[r]) continue;
-    if (m.runs[r].cap && !m.tailored && begins_at_hem(m, m.runs[other])) continue;  // a side that is as long by chance
+    if (m.runs[r].cap && !m.tailored && begins_at_hem(m, m.runs[other]))
+      continue;  // a side that is as long by chance
     if (difference(m.runs[other].length, m.runs[r].length) < kCutWeights.alike) return true;
   }
   return false;
@@ -183,13 +184,13 @@ void cut_like_mirror(const SeamModel& m, Index r, std::vector<std::vector<double
   std::reverse(cuts[r].begin(), cuts[r].end());
 }
 
-/// The upper edge of a sleeve that is set on without a cap; null where there is none.
-const SeamRun* level_top(const SeamModel& m) {
-  const auto top = std::find_if(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-    return m.words[run.panel].kind == PieceKind::kSleeve && m.upright[run.panel] && !run.cap &&
-           run.up > kPairWeights.facing && run.mirror_panel == run.panel && run.mirror_edge == run.edge;
-  });
-  return top == m.runs.end() ? nullptr : &*top;
+/// Whether the run is the upper edge of a sleeve that is set on without a cap, from seam to seam.
+bool is_level_top(const SeamModel& m, const SeamRun& run) {
+  if (m.words[run.panel].kind != PieceKind::kSleeve || !m.upright[run.panel] || run.cap) return false;
+  return run.up > kPairWeights.facing && begins_at_hem(m, m.runs[run.next]) &&
+         std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
+           return &m.runs[before.next] == &run && begins_at_hem(m, before);
+         });
 }
 
 /// Where a bodice's side that goes up to the shoulder ends and the arm comes out, from the run's start; −1
@@ -213,22 +214,28 @@ double arm_begins(const SeamModel& m, const SeamRun& run, const SeamRun* sleeve)
   return fits(depth) ? place(depth) : -1;
 }
 
-/// Cuts sides that go up to the shoulder where the arm comes out, and the sleeves there at the shoulder.
-void cut_for_arms(const SeamModel& m, std::vector<std::vector<double>>& cuts) {
-  const SeamRun* sleeve = level_top(m);
-  bool any = false;
-  for (std::size_t r = 0; r < cuts.size(); ++r) {
-    const double at = arm_begins(m, m.runs[r], sleeve);
-    if (at < 0) continue;
+/// Cuts sides that go up to the shoulder where the arm comes out, and the sleeves there at the shoulder. What
+/// they are cut for is known, as at a notch.
+void cut_for_arms(SeamModel& m, std::vector<std::vector<double>>& cuts) {
+  const auto top =
+      std::find_if(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) { return is_level_top(m, run); });
+  const SeamRun* sleeve = top == m.runs.end() ? nullptr : &*top;
+  const auto cut = [&](std::size_t r, double at) {
     cuts[r] = {at};
-    any = true;
-  }
-  for (std::size_t r = 0; any && sleeve != nullptr && r < cuts.size(); ++r) {
+    std::vector<double>& notches = m.runs[r].notches;
+    if (std::find(notches.begin(), notches.end(), at) == notches.end()) notches.push_back(at);
+    std::sort(notches.begin(), notches.end());
+  };
+  std::vector<std::pair<std::size_t, double>> places;
+  for (std::size_t r = 0; r < cuts.size(); ++r)
+    if (const double at = arm_begins(m, m.runs[r], sleeve); at >= 0) places.push_back({r, at});
+  if (places.empty()) return;
+  for (std::size_t r = 0; sleeve != nullptr && r < cuts.size(); ++r) {
     const SeamRun& run = m.runs[r];
-    const bool top = m.words[run.panel].kind == PieceKind::kSleeve && run.up > kPairWeights.facing &&
-                     equally_long(run.length, sleeve->length) && run.mirror_edge == run.edge;
-    if (top) cuts[r] = {run.length / 2};
+    if (is_level_top(m, run) && equally_long(run.length, sleeve->length))
+      places.push_back({r, run.length / 2});
   }
+  for (const auto& [r, at] : places) cut(r, at);
 }
 
 }  // namespace
@@ -266,13 +273,13 @@ bool meets_halves(const SeamModel& m, Index r) {
 }
 
 SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, CutKind kind) {
+  std::vector<std::vector<double>> cuts(model.runs.size());
+  if (kind == CutKind::kNotches) cuts = notch_cuts(model);
+  cut_for_arms(model, cuts);
   const SeamModel whole = model;
   const std::vector<Line> lines = straight_parts(whole);
   const Index count = static_cast<Index>(whole.runs.size());
-  std::vector<std::vector<double>> cuts(whole.runs.size());
   std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner
-  if (kind == CutKind::kNotches) cuts = notch_cuts(whole);
-  cut_for_arms(whole, cuts);
   for (Index r = 0; r < count; ++r)
     if (cuts[r].empty() && meets_halves(whole, r)) cuts[r] = {whole.runs[r].length / 2};
   for (const bool darts : {true, false}) {

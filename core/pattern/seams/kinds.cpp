@@ -203,7 +203,7 @@ double level_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (x.kind == PieceKind::kLegs && y.kind == PieceKind::kLegs) return kPairWeights.never_meet;
   const bool torsos = x.kind == PieceKind::kTorso && y.kind == PieceKind::kTorso;
   if (torsos && x.face * y.face < 0 && leaves_neck(m, a) && leaves_neck(m, b))
-    return kPairWeights.level_shoulder;
+    return kPairWeights.torsos_shoulder;
   const bool beside = is_beside_hollow(m, a) && is_beside_hollow(m, b);
   const auto unnamed = [](const PieceWords& w) { return w.guessed || w.kind == PieceKind::kOther; };
   if (beside && x.face * y.face < 0 && unnamed(x) && unnamed(y)) return kPairWeights.level_shoulder;

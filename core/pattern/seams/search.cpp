@@ -244,8 +244,13 @@ double margin_of(const FoundSeam& seam, const FoundSeams& found, const std::vect
     for (const Index r : *side) locked[r] = 0;
   const Choices choices = choices_of(found.model, locked);
   GluingJudge judge(found.model, settings);
-  // It turns nothing over: a garment seen in a mirror is no other garment.
-  const Limits limits = without_pair({false, {}}, found.model, seam.a[0], seam.b[0]);
+  // It turns nothing over: a garment seen in a mirror is no other garment. Nor is one whose band is turned.
+  Limits limits = without_pair({false, {}}, found.model, seam.a[0], seam.b[0]);
+  const std::vector<Index> other_side(seam.b.rbegin(), seam.b.rend());
+  if (seam.a.size() > 1 && is_whole_border(found.model, found.gluing, seam.a) &&
+      is_whole_border(found.model, found.gluing, other_side))
+    for (const Index x : seam.a)
+      for (const Index y : seam.b) limits.forbidden.push_back({x, y});
   const Effort effort{tries_for(found.model, kDoubtsPerRun, found.seams.size()), kDoubtThreshold, 7};
   const Sewn other = annealed(choices, limits, judge, std::move(without), effort, context);
   return gluing_merit(found.model, found.gluing, settings) - other.merit;

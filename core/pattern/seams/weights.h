@@ -68,6 +68,7 @@ struct PairWeights {
   double crotch = 0.12;  ///< of the outline's length, a lower end that two leg openings leave at most
   double two_waists = -5;
   double level_shoulder = 1.5;     ///< but of a front and a back, beside their necks
+  double torsos_shoulder = 3;      ///< … which are bodices
   double level_shoulder_up = 0.9;  ///< how much a shoulder faces up that tells of a bodice
   double shoulder_high = 0.25;     ///< of the piece's height, where a shoulder lies …
   double shoulder_slope = 0.05;    ///< … and how much it rises at least that tells where the neck is

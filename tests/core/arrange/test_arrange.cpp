@@ -316,6 +316,43 @@ TEST(Arrange, ATopWithoutStrapsStandsBelowTheArms) {
   EXPECT_GT(centre_of(s, 0).y + 0.2, figure().waist + 0.05) << "its upper edge";
 }
 
+TEST(Arrange, StrapsComeOverTheShouldersAndTheSidesBelowTheArms) {
+  pattern::Pattern pattern = test::strapless();
+  const double top = centre_of(started(pattern), 0).y;
+  for (const bool left : {true, false}) {
+    const Index strap = static_cast<Index>(pattern.panels.size());
+    pattern.panels.push_back(
+        test::polygon(left ? "strap_l" : "strap_r", {{0, 0}, {12, 0}, {12, 300}, {0, 300}}));
+    const double from = left ? 0.7 : 0.27, to = from + 0.03;
+    pattern.seams.push_back(
+        test::seam(left ? "front_l" : "front_r", {{0, 2, false, from, to}}, {{strap, 2}}));
+    pattern.seams.push_back(
+        test::seam(left ? "back_l" : "back_r", {{1, 2, false, 1 - to, 1 - from}}, {{strap, 0}}));
+  }
+  const Start s = started(pattern);
+  // The start with the fewest faults may lie a few centimetres lower; a strap's length is 30.
+  EXPECT_NEAR(centre_of(s, 0).y, top, 0.1) << "as high as without straps";
+  EXPECT_GT(centre_of(s, 2).y, figure().armpit[0].y) << "a strap stands above it";
+}
+
+TEST(Arrange, ABandAtTheHemOfATopHangsBelowIt) {
+  pattern::Pattern pattern = test::shirt();
+  const Index band = static_cast<Index>(pattern.panels.size());
+  pattern.panels.push_back(test::polygon("hem band", {{0, 0}, {960, 0}, {960, 70}, {0, 70}}));
+  pattern.seams.push_back(test::seam("closes", {{band, 1}}, {{band, 3}}));
+  pattern.seams.push_back(test::seam("hem", {{0, 0}, {1, 0}}, {{band, 2}}));
+  const Start s = started(pattern);
+  const sewing::GarmentMesh& g = s.assembly.garment;
+  double hem = HUGE_VAL, top = -HUGE_VAL;
+  for (Index v = 0; v < g.vertex_count(); ++v) {
+    const double y = s.assembly.positions[v].y;
+    if (g.panel_of_vertex[v] < 2) hem = std::min(hem, y);
+    if (g.panel_of_vertex[v] == band) top = std::max(top, y);
+  }
+  EXPECT_LE(top, hem) << "around the trunk, and around no arm";
+  EXPECT_NEAR(centre_of(s, band).x, figure().middle, 0.06) << "open at a side until it is sewn";
+}
+
 TEST(Arrange, LapelsLieBeforeFrontsThatStayTogether) {
   pattern::Pattern pattern = test::shirt();
   pattern.panels.push_back(test::polygon("collar_front", {{-60, 0}, {60, 0}, {60, 300}, {-60, 300}}));

@@ -64,6 +64,8 @@ TEST(GarmentKind, NamesGoBeforeBorders) {
   EXPECT_EQ(cover_of(pattern), Cover::kTorso);
   EXPECT_EQ(arrange::cover_of_name("Hoodie Front"), Cover::kTorso);
   EXPECT_EQ(arrange::cover_of_name("Hood Side"), Cover::kHood);
+  EXPECT_EQ(arrange::cover_of_name("HEM BAND"), Cover::kWaistband);
+  EXPECT_EQ(arrange::cover_of_name("Neck rib"), Cover::kCollar);
 }
 
 /// Two bodies that differ in their necks alone, and in how long they are below; the first is the deeper one's

@@ -1,0 +1,247 @@
+// What proposals make of plain garments of other makes: legs that are cut in one piece, sleeves that go up to
+// the neck or are set on without a cap, bands, straps, gathered caps.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/pattern/seams/accept.h"
+#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/piece_words.h"
+#include "core/pattern/seams/propose.h"
+#include "tests/core/pattern/garments.h"
+
+namespace toile {
+namespace {
+
+using garments::mirrored;
+using garments::piece;
+
+/// The edges of a seam's side, as "piece.edge", in their order by name.
+std::vector<std::string> named(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& side) {
+  std::vector<std::string> names;
+  for (const pattern::SeamEdge& e : side)
+    names.push_back(pattern.panels[e.panel].id + "." + pattern.panels[e.panel].outline.edges[e.edge].id);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// The seams with which a garment is worn.
+class WornSeams {
+ public:
+  explicit WornSeams(std::vector<pattern::Panel> panels) : pattern_{std::move(panels), {}} {
+    proposals_ = seams::propose_seams(pattern_);
+    sewn_ = seams::sewn_to_wear(pattern_, proposals_, 0.8);
+  }
+  bool has(std::vector<std::string> a, std::vector<std::string> b) const {
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    for (std::size_t i = 0; i < proposals_.size(); ++i) {
+      const auto x = named(pattern_, proposals_[i].seam.a), y = named(pattern_, proposals_[i].seam.b);
+      if (sewn_[i] && ((x == a && y == b) || (x == b && y == a))) return true;
+    }
+    return false;
+  }
+  bool takes(const std::string& edge) const {
+    for (std::size_t i = 0; i < proposals_.size(); ++i)
+      for (const auto* side : {&proposals_[i].seam.a, &proposals_[i].seam.b}) {
+        const auto all = named(pattern_, *side);
+        if (sewn_[i] && std::find(all.begin(), all.end(), edge) != all.end()) return true;
+      }
+    return false;
+  }
+
+ private:
+  pattern::Pattern pattern_;
+  std::vector<seams::SeamProposal> proposals_;
+  std::vector<bool> sewn_;
+};
+
+pattern::Panel strip(const std::string& name, double length, double height) {
+  return piece(name, {{0, 0}, {length, 0}, {length, height}, {0, height}});
+}
+
+TEST(PlainGarments, LegsOfOnePieceMeetInFrontAndBehind) {
+  const pattern::Panel left = piece("left leg", {{-95, 0},
+                                                 {95, 0, Vec2{115, 300}, Vec2{150, 600}},
+                                                 {200, 740, Vec2{175, 755}, Vec2{160, 800}},
+                                                 {150, 960},
+                                                 {-165, 1000, Vec2{-175, 850}, Vec2{-190, 780}},
+                                                 {-270, 740, Vec2{-180, 600}, Vec2{-115, 300}}});
+  const WornSeams worn({left, mirrored(left, "right leg")});
+  EXPECT_TRUE(worn.has({"left leg.e1"}, {"left leg.e5"})) << "between hem and crotch";
+  EXPECT_TRUE(worn.has({"left leg.e2"}, {"right leg.e2"})) << "in front";
+  EXPECT_TRUE(worn.has({"left leg.e4"}, {"right leg.e4"})) << "behind";
+  EXPECT_FALSE(worn.takes("left leg.e0")) << "the hem";
+}
+
+/// Edges: hem, inner leg, crotch, waist, side.
+pattern::Panel half_leg(const std::string& name, double crotch, double back) {
+  return piece(name, {{25, 0},
+                      {225, 0, Vec2{228, 300}, Vec2{245, 600}},
+                      {250 + crotch, 740, Vec2{250 + crotch * 0.4, 755}, Vec2{254, 810}},
+                      {250, 975 + back},
+                      {65, 971 + back, Vec2{0, 880}, Vec2{-10, 400}}});
+}
+
+TEST(PlainGarments, HalvesWithACrotchAreLegsWithoutBeingNamedSo) {
+  const pattern::Panel front = half_leg("Front", 50, 0), back = half_leg("Back", 110, 5);
+  const WornSeams worn(
+      {front, mirrored(front, "Front_2"), back, mirrored(back, "Back_2"), strip("Waistband", 740, 40)});
+  EXPECT_TRUE(worn.has({"Front.e2"}, {"Front_2.e2"}));
+  EXPECT_TRUE(worn.has({"Back.e2"}, {"Back_2.e2"}));
+  EXPECT_FALSE(worn.takes("Front.e0")) << "a left hem does not hang from the right waist";
+  EXPECT_TRUE(worn.takes("Front.e3")) << "the waist, at the band";
+}
+
+/// Edges: hem, side, raglan line, neck, raglan line, side.
+pattern::Panel raglan_body(const std::string& name, double neck, double top) {
+  return piece(name, {{-260, 0},
+                      {260, 0},
+                      {260, 380, Vec2{190, 400}, Vec2{100, 520}},
+                      {65, top, Vec2{45, neck}, Vec2{-45, neck}},
+                      {-65, top, Vec2{-100, 520}, Vec2{-190, 400}},
+                      {-260, 380}});
+}
+
+TEST(PlainGarments, ASweatshirtHasItsBands) {
+  const pattern::Panel sleeve = piece("Sleeve", {{-100, 0},
+                                                 {100, 0},
+                                                 {190, 400, Vec2{140, 420}, Vec2{70, 540}},
+                                                 {35, 690},
+                                                 {-35, 665, Vec2{-70, 540}, Vec2{-140, 420}},
+                                                 {-190, 400}});
+  const pattern::Panel cuff = strip("Cuff", 180, 70);
+  const WornSeams worn({raglan_body("Front", 545, 620), raglan_body("Back", 610, 640), sleeve,
+                        mirrored(sleeve, "Sleeve_2"), cuff, mirrored(cuff, "Cuff_2"),
+                        strip("Neck band", 430, 50), strip("Hem band", 920, 70)});
+  EXPECT_TRUE(worn.has({"Sleeve.e1"}, {"Sleeve.e5"}));
+  EXPECT_TRUE(worn.has({"Hem band.e1"}, {"Hem band.e3"})) << "and not to a cuff that is as high";
+  EXPECT_TRUE(worn.has({"Front.e0", "Back.e0"}, {"Hem band.e2"}));
+  EXPECT_TRUE(worn.takes("Sleeve.e3")) << "its upper end, at the neck band";
+  EXPECT_TRUE(worn.takes("Sleeve.e0")) << "at a cuff";
+}
+
+/// Edges: hem, side and armhole in one, shoulder, neck, shoulder, the other side.
+pattern::Panel boxy(const std::string& name, double neck, bool notched) {
+  pattern::Panel panel = piece(
+      name,
+      {{-300, 0}, {300, 0}, {300, 560}, {95, 600, Vec2{60, neck}, Vec2{-60, neck}}, {-95, 600}, {-300, 560}});
+  if (notched)
+    for (const double x : {-300.0, 300.0}) panel.notches.push_back({{x, 350}, 0, {}});
+  return panel;
+}
+
+TEST(PlainGarments, SidesThatGoUpToTheShoulderLeaveTheArmsTheirWay) {
+  const WornSeams notched({boxy("Front", 500, true), boxy("Back", 575, true)});
+  EXPECT_TRUE(notched.has({"Front.e2"}, {"Back.e4"})) << "shoulders, though nearly level";
+  EXPECT_TRUE(notched.has({"Front.e1"}, {"Back.e5"})) << "up to the notch";
+  const WornSeams open({boxy("Front", 500, false), boxy("Back", 575, false)});
+  EXPECT_TRUE(open.has({"Front.e2"}, {"Back.e4"}));
+  EXPECT_FALSE(open.takes("Front.e1")) << "where nothing tells where the arm comes out it hangs as a poncho";
+}
+
+TEST(PlainGarments, SleevesWithoutACapAreSetOnAtDroppedShoulders) {
+  const pattern::Panel sleeve = piece("Sleeve", {{-190, 0}, {190, 0}, {210, 150}, {-210, 150}});
+  const WornSeams worn(
+      {boxy("Front", 500, false), boxy("Back", 575, false), sleeve, mirrored(sleeve, "Sleeve_2")});
+  EXPECT_TRUE(worn.takes("Sleeve.e2"));
+  EXPECT_TRUE(worn.has({"Sleeve.e1"}, {"Sleeve.e3"}));
+  EXPECT_FALSE(worn.takes("Sleeve.e0"));
+  EXPECT_FALSE(worn.takes("Front.e3")) << "the neck";
+}
+
+/// Edges: hem, side, armhole, shoulder, neck, shoulder, armhole, side.
+pattern::Panel tee(const std::string& name, double neck) {
+  return piece(name, {{-270, 0},
+                      {270, 0},
+                      {250, 430, Vec2{190, 450}, Vec2{185, 550}},
+                      {190, 610},
+                      {90, 650, Vec2{60, neck}, Vec2{-60, neck}},
+                      {-90, 650},
+                      {-190, 610, Vec2{-185, 550}, Vec2{-190, 450}},
+                      {-250, 430}});
+}
+
+TEST(PlainGarments, AGatheredCapGoesToFrontAndBack) {
+  const pattern::Panel sleeve = piece("Sleeve", {{-150, 0},
+                                                 {150, 0},
+                                                 {185, 110, Vec2{110, 130}, Vec2{100, 240}},
+                                                 {0, 245, Vec2{-100, 240}, Vec2{-110, 130}},
+                                                 {-185, 110}});
+  pattern::Panel whole = sleeve;  // the cap is one edge
+  whole.outline.edges[2].curves.push_back(whole.outline.edges[3].curves.front());
+  whole.outline.edges.erase(whole.outline.edges.begin() + 3);
+  for (std::size_t e = 0; e < whole.outline.edges.size(); ++e)
+    whole.outline.edges[e].id = "e" + std::to_string(e);
+  const WornSeams worn({tee("Front", 560), tee("Back", 625), whole, mirrored(whole, "Sleeve_2")});
+  EXPECT_TRUE(worn.has({"Sleeve.e2"}, {"Front.e2", "Back.e6"}) ||
+              worn.has({"Sleeve.e2"}, {"Back.e2", "Front.e6"}));
+}
+
+TEST(PlainGarments, ABandGoesAroundTheFrontsOfARobeWhichStayOpen) {
+  const pattern::Panel front = piece("Front", {{0, 0}, {320, 0}, {320, 1100}, {105, 1140}, {0, 800}});
+  const pattern::Panel back = piece("Back", {{-300, 0},
+                                             {300, 0},
+                                             {300, 1100},
+                                             {85, 1140, Vec2{50, 1120}, Vec2{-50, 1120}},
+                                             {-85, 1140},
+                                             {-300, 1100}});
+  const pattern::Panel sleeve = piece("Sleeve", {{-205, 0}, {205, 0}, {250, 430}, {-250, 430}});
+  const WornSeams worn({back, front, mirrored(front, "Front_2"), sleeve, mirrored(sleeve, "Sleeve_2"),
+                        strip("Collar band", 2480, 100)});
+  EXPECT_TRUE(worn.has({"Front.e3", "Front.e4", "Back.e3", "Front_2.e3", "Front_2.e4"}, {"Collar band.e2"}));
+  EXPECT_FALSE(worn.has({"Front.e4"}, {"Front_2.e4"}));
+  EXPECT_TRUE(worn.takes("Front.e2")) << "the shoulder";
+}
+
+TEST(PlainGarments, StrapsAreSewnByTheirEndsOverOneShoulder) {
+  const auto camisole = [](const std::string& name, double top) {
+    return piece(name, {{-240, 0},
+                        {240, 0},
+                        {225, 330, Vec2{180, 330}, Vec2{125, 360}},
+                        {106, top},
+                        {94, top, Vec2{50, top - 60}, Vec2{-50, top - 60}},
+                        {-94, top},
+                        {-106, top, Vec2{-125, 360}, Vec2{-180, 330}},
+                        {-225, 330}});
+  };
+  const pattern::Panel strap = strip("Strap", 300, 12);
+  const WornSeams worn({camisole("Front", 480), camisole("Back", 420), strap, mirrored(strap, "Strap_2")});
+  for (const char* edge : {"Front.e3", "Front.e5", "Back.e3", "Back.e5"})
+    EXPECT_TRUE(worn.takes(edge)) << edge;
+  EXPECT_FALSE(worn.takes("Strap.e0"));
+  EXPECT_FALSE(worn.takes("Strap.e2"));
+  EXPECT_FALSE(worn.takes("Front.e4")) << "the neck";
+}
+
+TEST(PlainGarments, SleevesThatAreCutOnAreSewnAboveAndBelow) {
+  const auto dolman = [](const std::string& name, double neck) {
+    return piece(name, {{-250, 0},
+                        {250, 0, Vec2{250, 250}, Vec2{280, 330}},
+                        {620, 380},
+                        {610, 520},
+                        {95, 620, Vec2{60, neck}, Vec2{-60, neck}},
+                        {-95, 620},
+                        {-610, 520},
+                        {-620, 380, Vec2{-280, 330}, Vec2{-250, 250}}});
+  };
+  const WornSeams worn({dolman("Front", 530), dolman("Back", 600)});
+  EXPECT_TRUE(worn.has({"Front.e1"}, {"Back.e7"})) << "under the arm, hollow as it is";
+  EXPECT_TRUE(worn.has({"Front.e3"}, {"Back.e5"})) << "over it";
+  EXPECT_FALSE(worn.takes("Front.e2")) << "the wrist";
+}
+
+TEST(PlainGarments, BandsAreTakenAtTheirWord) {
+  EXPECT_EQ(seams::words_of("NECK RIB").kind, seams::PieceKind::kCollar);
+  EXPECT_TRUE(seams::words_of("hem_band").hem_band);
+  EXPECT_TRUE(seams::words_of("Waist Rib").hem_band);
+  EXPECT_FALSE(seams::words_of("Waistband").hem_band);
+  EXPECT_EQ(seams::words_of("shoulder strap").kind, seams::PieceKind::kStrap);
+}
+
+}  // namespace
+}  // namespace toile
