@@ -274,10 +274,13 @@ bool meets_halves(const SeamModel& m, Index r) {
 
 SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, CutKind kind) {
   std::vector<std::vector<double>> cuts(model.runs.size());
+  const std::vector<Line> lines = straight_parts(model);
   if (kind == CutKind::kNotches) cuts = notch_cuts(model);
+  // Notches on what is exactly as long as two edges that lie end to end only help to sew it.
+  for (Index r = 0; r < static_cast<Index>(cuts.size()); ++r)
+    if (!cuts[r].empty() && best_two(model, lines, r, kCutWeights.exact).first != nullptr) cuts[r].clear();
   cut_for_arms(model, cuts);
   const SeamModel whole = model;
-  const std::vector<Line> lines = straight_parts(whole);
   const Index count = static_cast<Index>(whole.runs.size());
   std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner
   for (Index r = 0; r < count; ++r)
