@@ -14,8 +14,8 @@
 // clothes were found on a fifth design of FreeSewing, a jacket of 17 pieces; those for shoulders without
 // sleeves, level shoulders, waistbands cut along their grain, briefs and seams that end at notches on
 // patterns drawn for them; those for legs of one piece, raglan and dropped shoulders, bands, straps and
-// gathered caps on twenty plain garments drawn for the purpose, and tried on eleven others. What is changed here is to be scored again on all of them, the two halves told
-// apart.
+// gathered caps on twenty plain garments drawn for the purpose, and tried on eleven others. What is changed
+// here is to be scored again on all of them, the two halves told apart.
 
 #include <cstddef>
 
