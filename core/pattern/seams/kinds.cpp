@@ -126,6 +126,13 @@ bool is_for_arm(const SeamModel& m, const SeamRun& run) {
   return m.words[run.panel].kind == PieceKind::kTorso && meets_shoulder(m, run);
 }
 
+/// Whether the runs are of a side that goes up to the shoulder and of the level top of a sleeve without a
+/// cap.
+bool is_dropped(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
+  return !sleeve.cap && m.upright[sleeve.panel] && sleeve.up > kPairWeights.facing &&
+         meets_shoulder(m, torso) && !begins_at_hem(m, torso);
+}
+
 /// A sleeve is sewn with its cap to a hollow edge of a bodice that does not face the middle; a tailored one
 /// is eased into the armhole as a whole, so that no part of it takes a part of another length.
 double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
@@ -137,9 +144,7 @@ double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sl
                     m.twin[torso.panel] == torso.panel && torso.mirror_edge == torso.edge;
   const bool from_hem = begins_at_hem(m, torso) && torso.from == 0 && torso.to == 1;
   if (wrist || neck || from_hem) return kPairWeights.never_meet;
-  // A side that goes up to the shoulder, and the level top of a sleeve that is set on without a cap.
-  const bool dropped = !sleeve.cap && m.upright[sleeve.panel] && sleeve.up > kPairWeights.facing &&
-                       meets_shoulder(m, torso) && !begins_at_hem(m, torso);
+  const bool dropped = is_dropped(m, torso, sleeve);
   if (dropped) return kPairWeights.armhole + kPairWeights.cap;
   const bool hollow =
       torso.turn.back() < kPairWeights.twin_hollow_deg && inwards(m, torso) < kPairWeights.inner;
@@ -277,6 +282,16 @@ bool meets_shoulder(const SeamModel& m, const SeamRun& run) {
   return is_top(m.runs[run.next]) || std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
            return &m.runs[other.next] == &run && is_top(other);
          });
+}
+
+bool is_set_on_turned(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve, bool along) {
+  if (m.words[torso.panel].kind != PieceKind::kTorso || m.words[sleeve.panel].kind != PieceKind::kSleeve)
+    return false;
+  const bool half = (sleeve.from > 0) != (sleeve.to < 1);
+  if (!half || !is_dropped(m, torso, sleeve)) return false;
+  const bool rises = dot(torso.at.back() - torso.at.front(), m.up[torso.panel]) > 0;
+  const bool shoulder_at_start = rises != along;  // of the sleeve's half
+  return shoulder_at_start == (sleeve.from == 0);
 }
 
 bool are_torsos(const SeamModel& m, Index i, Index j) {

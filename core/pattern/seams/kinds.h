@@ -21,6 +21,10 @@ bool on_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 /// Whether the run faces the side and meets an edge that faces up and leaves a neck: that is a shoulder.
 bool meets_shoulder(const SeamModel& m, const SeamRun& run);
 
+/// Whether half the level top of a sleeve would be set on upside down, its seam at the shoulder and its
+/// middle under the arm; `along`: sewn along the outlines' direction.
+bool is_set_on_turned(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve, bool along);
+
 /// Whether both runs are of a bodice.
 bool are_torsos(const SeamModel& m, Index i, Index j);
 

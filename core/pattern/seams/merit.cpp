@@ -145,12 +145,14 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   }
   std::array<double, 2> both{};
   for (const bool along : {false, true})
-    both[along] = merit + kPairWeights.height * height_merit(m, a, b, along) + notch_merit(a, b, along) +
-                  (crosses_over(m, i, j, along) ? kPairWeights.crosses_over : 0) +
-                  (takes_other_side(m, i, j, along) || takes_other_side(m, j, i, along)
-                       ? kPairWeights.sleeve_of_other_side
-                       : 0) +
-                  kPairWeights.cut_to_cut * cut_ends_that_meet(m, a, b, along);
+    both[along] =
+        merit + kPairWeights.height * height_merit(m, a, b, along) + notch_merit(a, b, along) +
+        (crosses_over(m, i, j, along) ? kPairWeights.crosses_over : 0) +
+        (takes_other_side(m, i, j, along) || takes_other_side(m, j, i, along)
+             ? kPairWeights.sleeve_of_other_side
+             : 0) +
+        (is_set_on_turned(m, a, b, along) || is_set_on_turned(m, b, a, along) ? kPairWeights.never_meet : 0) +
+        kPairWeights.cut_to_cut * cut_ends_that_meet(m, a, b, along);
   // Parts were cut to fit: that they agree says less, and together they are one coincidence.
   if (lengths && (is_cut(a) || is_cut(b)))
     for (double& x : both)

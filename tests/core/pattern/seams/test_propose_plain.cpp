@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +45,16 @@ class WornSeams {
       if (sewn_[i] && ((x == a && y == b) || (x == b && y == a))) return true;
     }
     return false;
+  }
+  /// The share of `edge` that is sewn to the named one, from 0 to 1; {0, 0} where none is.
+  std::pair<double, double> part(const std::string& edge, const std::string& other) const {
+    for (std::size_t i = 0; i < proposals_.size(); ++i)
+      for (const auto& [mine, theirs] : {std::pair{proposals_[i].seam.a, proposals_[i].seam.b},
+                                         std::pair{proposals_[i].seam.b, proposals_[i].seam.a}})
+        if (sewn_[i] && named(pattern_, mine) == std::vector{edge} &&
+            named(pattern_, theirs) == std::vector{other})
+          return {mine.front().from, mine.front().to};
+    return {0, 0};
   }
   bool takes(const std::string& edge) const {
     for (std::size_t i = 0; i < proposals_.size(); ++i)
@@ -152,6 +163,12 @@ TEST(PlainGarments, SleevesWithoutACapAreSetOnAtDroppedShoulders) {
   EXPECT_TRUE(worn.has({"Sleeve.e1"}, {"Sleeve.e3"}));
   EXPECT_FALSE(worn.takes("Sleeve.e0"));
   EXPECT_FALSE(worn.takes("Front.e3")) << "the neck";
+  // The outlines run against each other: what goes up a front's right side begins in the sleeve's middle.
+  for (const char* top : {"Sleeve.e2", "Sleeve_2.e2"}) {
+    const auto [from, to] = worn.part(top, "Front.e1");
+    EXPECT_TRUE(to == 0 || std::abs(from - 0.5) < 0.01) << top << " from " << from << " to " << to;
+  }
+  EXPECT_GT(worn.part("Sleeve.e2", "Front.e1").second + worn.part("Sleeve_2.e2", "Front.e1").second, 0);
 }
 
 /// Edges: hem, side, armhole, shoulder, neck, shoulder, armhole, side.
