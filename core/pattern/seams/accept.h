@@ -13,8 +13,8 @@ namespace toile::seams {
 /// part of an edge that a surer one has taken. Proposals may be each other's alternatives.
 std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double least_confidence);
 
-/// Likely enough for what a piece takes that no surer seam holds on.
-inline constexpr double kLikely = 0.3;
+/// Likelier than not: what a piece takes that no surer seam holds on.
+inline constexpr double kLikely = 0.5;
 
 /// What is sewn where nothing surer wants its edges: a gap that was not meant lets a garment slip, and more
 /// often than not nothing else fits there.

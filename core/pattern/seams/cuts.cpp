@@ -188,9 +188,7 @@ void cut_like_mirror(const SeamModel& m, Index r, std::vector<std::vector<double
 bool is_level_top(const SeamModel& m, const SeamRun& run) {
   if (m.words[run.panel].kind != PieceKind::kSleeve || !m.upright[run.panel] || run.cap) return false;
   return run.up > kPairWeights.facing && begins_at_hem(m, m.runs[run.next]) &&
-         std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
-           return &m.runs[before.next] == &run && begins_at_hem(m, before);
-         });
+         begins_at_hem(m, run_before(m, run));
 }
 
 /// Where a bodice's side that goes up to the shoulder ends and the arm comes out, from the run's start; −1

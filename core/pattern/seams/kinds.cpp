@@ -195,9 +195,7 @@ bool is_named_alike(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 /// Whether an edge beside the run is hollow: a neck, or the waist of a circle skirt.
 bool is_beside_hollow(const SeamModel& m, const SeamRun& run) {
   const auto hollow = [](const SeamRun& r) { return r.turn.back() < kPairWeights.neck_deg; };
-  return hollow(m.runs[run.next]) || std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
-           return &m.runs[before.next] == &run && hollow(before);
-         });
+  return hollow(m.runs[run.next]) || hollow(run_before(m, run));
 }
 
 /// What is said of two edges that are both level and up: two waists are never sewn together. But a front's
@@ -244,10 +242,7 @@ bool is_crotch(const SeamModel& m, const SeamRun& run) {
 bool is_below_arm(const SeamModel& m, const SeamRun& run) {
   const SeamRun& after = m.runs[run.next];
   if (after.angle > kPairWeights.turns_in_deg && begins_at_hem(m, after)) return true;
-  return run.angle > kPairWeights.turns_in_deg &&
-         std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
-           return &m.runs[before.next] == &run && begins_at_hem(m, before);
-         });
+  return run.angle > kPairWeights.turns_in_deg && begins_at_hem(m, run_before(m, run));
 }
 
 }  // namespace
@@ -279,9 +274,7 @@ bool meets_shoulder(const SeamModel& m, const SeamRun& run) {
     return other.up > kPairWeights.facing && lies_high(m, other) && leaves_neck(m, other) &&
            from_side(m, run) <= 0;
   };
-  return is_top(m.runs[run.next]) || std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
-           return &m.runs[other.next] == &run && is_top(other);
-         });
+  return is_top(m.runs[run.next]) || is_top(run_before(m, run));
 }
 
 bool is_set_on_turned(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve, bool along) {

@@ -236,12 +236,17 @@ bool is_lapel(const SeamModel& m, Index p) {
   return m.words[p].kind == PieceKind::kCollar && m.words[p].face > 0 && m.lines[p] < 4;
 }
 
+const SeamRun& run_before(const SeamModel& m, const SeamRun& run) {
+  return *std::find_if(m.runs.begin(), m.runs.end(),
+                       [&](const SeamRun& other) { return &m.runs[other.next] == &run; });
+}
+
 bool lies_between_hollows(const SeamModel& m, const SeamRun& run) {
   const auto hollow = [](const SeamRun& r) { return r.turn.back() < kPairWeights.neck_deg; };
   const SeamRun& after = m.runs[run.next];
-  return hollow(after) && std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
-           return &m.runs[before.next] == &run && &before != &after && hollow(before);
-         });
+  if (!hollow(after)) return false;
+  const SeamRun& before = run_before(m, run);
+  return &before != &after && hollow(before);
 }
 
 double faces_right(const SeamModel& m, const SeamRun& run) {

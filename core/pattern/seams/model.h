@@ -69,6 +69,9 @@ struct SeamModel {
   std::vector<double> girth;  ///< mm, length of each outline
 };
 
+/// The run that ends where `run` begins; `run` is one of the model's.
+const SeamRun& run_before(const SeamModel& m, const SeamRun& run);
+
 /// Outlines only; holes have no runs. REQUIRES a pattern that validate() accepts.
 SeamModel make_seam_model(const pattern::Pattern& pattern);
 

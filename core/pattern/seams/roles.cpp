@@ -43,19 +43,28 @@ bool is_side(const SeamModel& m, Index r) {
 /// Whether the run is the hollow edge of a leg, between its inner edge and its waist.
 bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
   if (run.turn.back() > kPairWeights.twin_hollow_deg || std::abs(run.up) > kPairWeights.facing) return false;
-  const auto before = std::find_if(m.runs.begin(), m.runs.end(),
-                                   [&](const SeamRun& other) { return &m.runs[other.next] == &run; });
+  const SeamRun &before = run_before(m, run), &after = m.runs[run.next];
   const auto waist_above = [&](const SeamRun& waist, const SeamRun& side) {
     const bool faces_apart = faces_right(m, side) * faces_right(m, run) < 0;
     return waist.up > kPairWeights.facing && faces_apart && begins_at_hem(m, side) &&
            side.turn.back() > kPairWeights.twin_hollow_deg;
   };
-  const SeamRun& after = m.runs[run.next];
-  if (begins_at_hem(m, *before) && waist_above(after, m.runs[after.next])) return true;
-  if (!begins_at_hem(m, after)) return false;
-  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& side) {
-    return &m.runs[side.next] == &*before && waist_above(*before, side);
-  });
+  if (begins_at_hem(m, before) && waist_above(after, m.runs[after.next])) return true;
+  return begins_at_hem(m, after) && waist_above(before, run_before(m, before));
+}
+
+/// How long the edge is that goes from a front's hem up to the shoulder, which faces up and outwards;
+/// `middle` is a part of it. mm.
+double front_edge(const SeamModel& m, const SeamRun& middle) {
+  const auto is_of_it = [&](const SeamRun& run) {
+    return &run != &middle && faces_right(m, run) * faces_right(m, middle) > 0;
+  };
+  double edge = middle.length;
+  for (const SeamRun* run = &m.runs[middle.next]; is_of_it(*run); run = &m.runs[run->next])
+    edge += run->length;
+  for (const SeamRun* run = &run_before(m, middle); is_of_it(*run); run = &run_before(m, *run))
+    edge += run->length;
+  return edge;
 }
 
 }  // namespace
@@ -96,19 +105,7 @@ void find_banded_fronts(SeamModel& m) {
     const PieceWords& words = m.words[panel];
     if (words.kind != PieceKind::kTorso || words.face <= 0 || twin == kNone || twin == panel) continue;
     if (!is_middle(m, middle) || !begins_at_hem(m, middle) || m.opens[panel]) continue;
-    // From the hem up to the shoulder, which faces up and outwards.
-    double edge = middle.length;
-    for (const SeamRun* run = &m.runs[middle.next];
-         faces_right(m, *run) * faces_right(m, middle) > 0 && run != &middle; run = &m.runs[run->next])
-      edge += run->length;
-    for (const SeamRun* run = &middle;;) {
-      const auto before = std::find_if(m.runs.begin(), m.runs.end(),
-                                       [&](const SeamRun& other) { return &m.runs[other.next] == run; });
-      run = &*before;
-      if (run == &middle || faces_right(m, *run) * faces_right(m, middle) <= 0) break;
-      edge += run->length;
-    }
-    const double whole = 2 * edge + neck;
+    const double whole = 2 * front_edge(m, middle) + neck;
     const auto band = std::find_if(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
       const bool strip = run.length > kStrip * m.girth[run.panel];
       const double length = m.twin[run.panel] == run.panel ? whole : whole / 2;

@@ -99,9 +99,7 @@ bool begins_at_hem(const SeamModel& m, const SeamRun& run) {
         lies_between_hollows(m, other) && other.length < kPairWeights.crotch * m.girth[other.panel];
     return m.upright[other.panel] && other.up < -kPairWeights.facing && !crotch;
   };
-  return is_hem(m.runs[run.next]) || std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
-           return &m.runs[other.next] == &run && is_hem(other);
-         });
+  return is_hem(m.runs[run.next]) || is_hem(run_before(m, run));
 }
 
 int half_of(const SeamModel& m, Index r) {

@@ -42,11 +42,9 @@ bool is_beyond_step(const SeamModel& m, const SeamRun& run) {
   if (const SeamRun& other = m.runs[after.next];
       is_step(after) && is_before_line(m, run, other, other.at.front()))
     return true;
-  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
-    const SeamRun& step = m.runs[other.next];
-    return other.panel == run.panel && &m.runs[step.next] == &run && is_step(step) &&
-           is_before_line(m, run, other, other.at.back());
-  });
+  const SeamRun& step = run_before(m, run);
+  const SeamRun& other = run_before(m, step);
+  return is_step(step) && is_before_line(m, run, other, other.at.back());
 }
 
 /// Whether the outline runs on from the start of the one run to the other, bent a little as at the fold of a
@@ -72,9 +70,7 @@ bool stands_out(const SeamModel& m, const SeamRun& run) {
   const SeamRun& after = m.runs[run.next];
   if (rise(m, run) < kPairWeights.twin_straight_rise) return false;
   if (bends_little(after) && is_beyond_step(m, after)) return true;
-  return bends_little(run) && std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
-           return before.panel == run.panel && &m.runs[before.next] == &run && is_beyond_step(m, before);
-         });
+  return bends_little(run) && is_beyond_step(m, run_before(m, run));
 }
 
 bool turns_in(const SeamModel& m, const SeamRun& run) {
@@ -83,9 +79,7 @@ bool turns_in(const SeamModel& m, const SeamRun& run) {
   };
   const SeamRun& after = m.runs[run.next];
   if (in(after.angle) && !stands_out(m, m.runs[after.next])) return true;
-  return in(run.angle) && std::none_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& vent) {
-           return vent.panel == run.panel && &m.runs[m.runs[vent.next].next] == &run && stands_out(m, vent);
-         });
+  return in(run.angle) && !stands_out(m, run_before(m, run_before(m, run)));
 }
 
 double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {

@@ -452,6 +452,30 @@ TEST(Arrange, ACuffBeginsWhereItsSleeveEndsAndGoesAroundTheArm) {
   }
 }
 
+TEST(Arrange, ACuffEndsNearTheWristHoweverLongItsSleeve) {
+  pattern::Pattern pattern = test::shirt();
+  for (const Index sleeve : {2, 3}) {
+    for (pattern::PanelEdge& edge : pattern.panels[static_cast<std::size_t>(sleeve)].outline.edges)
+      for (pattern::CubicBezier& c : edge.curves)
+        for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3})
+          if (p->y < 10) p->y -= 520;
+    const Index cuff = static_cast<Index>(pattern.panels.size());
+    const std::string side = sleeve == 2 ? "a" : "b";
+    pattern.panels.push_back(test::polygon("cuff_" + side, {{0, 0}, {200, 0}, {200, 60}, {0, 60}}));
+    pattern.seams.push_back(test::seam("ends_" + side, {{cuff, 1}}, {{cuff, 3}}));
+    pattern.seams.push_back(test::seam("cuff_" + side, {{sleeve, 0}}, {{cuff, 2}}));
+  }
+  const Start s = started(pattern);
+  const sewing::GarmentMesh& g = s.assembly.garment;
+  for (const Index cuff : {4, 5}) {
+    const measure::ArmLine& arm = figure().arm[centre_of(s, cuff).x > figure().middle ? 0 : 1];
+    double end = -HUGE_VAL;
+    for (Index v = g.first_vertex[cuff]; v < g.first_vertex[cuff + 1]; ++v)
+      end = std::max(end, dot(s.assembly.positions[v] - arm.root, arm.along()));
+    EXPECT_NEAR(end, length(arm.wrist - arm.root) + 0.06, 0.005) << "and not beyond the hand";
+  }
+}
+
 TEST(Arrange, APieceThatNoSeamLeadsToStaysWhereItIsAndIsNamed) {
   pattern::Pattern pattern = test::skirt();
   pattern.panels.insert(pattern.panels.begin(),

@@ -252,6 +252,27 @@ TEST(PlainGarments, SleevesThatAreCutOnAreSewnAboveAndBelow) {
   EXPECT_FALSE(worn.takes("Front.e2")) << "the wrist";
 }
 
+TEST(PlainGarments, ATShapeIsSewnBelowItsArms) {
+  const auto tunic = [](const std::string& name, double neck) {
+    return piece(name, {{-270, 0},
+                        {270, 0},
+                        {250, 450},
+                        {420, 450},
+                        {420, 650},
+                        {90, 660, Vec2{60, neck}, Vec2{-60, neck}},
+                        {-90, 660},
+                        {-420, 650},
+                        {-420, 450},
+                        {-250, 450}});
+  };
+  const WornSeams worn({tunic("Front", 560), tunic("Back", 635)});
+  EXPECT_TRUE(worn.has({"Front.e1"}, {"Back.e9"})) << "the side";
+  EXPECT_TRUE(worn.has({"Front.e2"}, {"Back.e8"})) << "below the arm, level as a hem";
+  EXPECT_TRUE(worn.has({"Front.e4"}, {"Back.e6"})) << "above it";
+  EXPECT_FALSE(worn.takes("Front.e3")) << "the wrist";
+  EXPECT_FALSE(worn.takes("Front.e0")) << "the hem";
+}
+
 TEST(PlainGarments, BandsAreTakenAtTheirWord) {
   EXPECT_EQ(seams::words_of("NECK RIB").kind, seams::PieceKind::kCollar);
   EXPECT_TRUE(seams::words_of("hem_band").hem_band);
