@@ -131,7 +131,7 @@ ArmPieces arm_pieces_of(const GarmentGraph& graph, const std::vector<Index>& on_
 
 }  // namespace
 
-PieceRoles roles_of(const GarmentGraph& graph) {
+PieceRoles roles_of(const GarmentGraph& graph, const std::vector<LegPiece>& legs) {
   PieceRoles roles;
   const std::vector<bool> on_arm = hang_on_arms(graph);
   const std::vector<bool> around_neck = go_around_neck(graph);
@@ -139,13 +139,24 @@ PieceRoles roles_of(const GarmentGraph& graph) {
   const auto is_gore = [&](Index p) {
     return std::any_of(roles.gores.begin(), roles.gores.end(), [&](const Gore& g) { return g.piece == p; });
   };
+  const auto is_leg = [&](Index p) {
+    return std::any_of(legs.begin(), legs.end(), [&](const LegPiece& leg) { return leg.piece == p; });
+  };
+  // A waistband that is open in front lies around the trunk where legs of one piece are all that it ends.
+  const auto ends_legs = [&](Index p) {
+    return graph.pieces[p].cover == Cover::kWaistband &&
+           std::any_of(graph.ties.begin(), graph.ties.end(), [&](const GarmentTie& t) {
+             return (t.a == p && is_leg(t.b)) || (t.b == p && is_leg(t.a));
+           });
+  };
   for (Index p = 0; p < static_cast<Index>(graph.pieces.size()); ++p) {
     const GarmentPiece& piece = graph.pieces[p];
+    if (is_leg(p)) continue;
     if (on_arm[p]) {
       roles.on_arms.push_back(p);
     } else if (piece.cover == Cover::kHood) {
       roles.hoods.push_back(p);
-    } else if (piece.tube || around_neck[p]) {
+    } else if (piece.tube || around_neck[p] || ends_legs(p)) {
       roles.bands.push_back(p);
     } else if (!is_gore(p)) {
       roles.trunk.push_back(p);
@@ -185,7 +196,8 @@ Result<ArrangePlan> plan_arrangement(const ArrangeInput& input, const BodyStand&
   ArrangePlan plan;
   plan.graph = make_garment_graph(input.pattern, input.meshes);
   cover_unnamed(plan.graph, input.absent, stand.waist_girth());
-  plan.roles = roles_of(plan.graph);
+  plan.legs = leg_pieces(plan.graph);
+  plan.roles = roles_of(plan.graph, plan.legs);
   FlatLayout layout = TRY(trunk_layout(plan.graph, plan.roles.trunk, stand));
   plan.layout = std::move(layout);
   plan.arms = arm_pieces_of(plan.graph, plan.roles.on_arms, plan.layout);

@@ -9,6 +9,7 @@
 #include "core/arrange/body_stand.h"
 #include "core/arrange/flat_layout.h"
 #include "core/arrange/gore_ring.h"
+#include "core/arrange/leg_piece.h"
 
 namespace toile::arrange {
 
@@ -22,7 +23,7 @@ struct PieceRoles {
   std::vector<Index> bands;  ///< they close in themselves around trunk or neck, or are collars all around it
   std::vector<Gore> gores;   ///< around the body in a ring
 };
-PieceRoles roles_of(const GarmentGraph& graph);
+PieceRoles roles_of(const GarmentGraph& graph, const std::vector<LegPiece>& legs);
 
 /// What goes on each arm, by BodySide.
 struct ArmPieces {
@@ -37,6 +38,7 @@ measure::BodySide side_of(const GarmentGraph& graph, const FlatLayout& layout, c
 
 struct ArrangePlan {
   GarmentGraph graph;
+  std::vector<LegPiece> legs;  ///< of one piece each
   PieceRoles roles;
   FlatLayout layout;  ///< of the trunk's pieces
   ArmPieces arms;

@@ -108,6 +108,17 @@ bool Arranger::is_top_segment(Index piece, std::size_t i) const {
   return (a.y + b.y) / 2 > plan_.top - kTopBand && std::abs(b.x - a.x) > std::abs(b.y - a.y);
 }
 
+/// A leg of one piece ends above its fork.
+bool Arranger::is_top_of_leg(Index piece, std::size_t i) const {
+  const auto leg =
+      std::find_if(plan_.legs.begin(), plan_.legs.end(), [&](const LegPiece& l) { return l.piece == piece; });
+  if (leg == plan_.legs.end()) return false;
+  const GarmentPiece& p = plan_.graph.pieces[piece];
+  const std::size_t j = (i + 1) % p.outline.size();
+  if (p.sewn[i] && p.sewn[j]) return false;
+  return dot((p.outline[i] + p.outline[j]) * 0.5 - leg->fork, leg->up) > 0;
+}
+
 std::array<double, 2> Arranger::top_edge() const {
   double total = 0, moment = 0;
   for (const Index piece : plan_.roles.trunk) {
@@ -373,9 +384,9 @@ std::vector<sewing::Attachment> Arranger::holds() const {
       if (piece.cover == Cover::kWaistband) holds.push_back(std::move(hold));
       continue;
     }
-    if (!plan_.layout.has(p)) continue;
     for (std::size_t i = 0; i < piece.outline.size(); ++i) {
-      if (is_top_segment(p, i)) hold.edges.push_back(piece.edge_of[i]);
+      if (plan_.layout.has(p) ? is_top_segment(p, i) : is_top_of_leg(p, i))
+        hold.edges.push_back(piece.edge_of[i]);
     }
     std::sort(hold.edges.begin(), hold.edges.end());
     hold.edges.erase(std::unique(hold.edges.begin(), hold.edges.end()), hold.edges.end());
@@ -403,7 +414,9 @@ Arrangement Arranger::place(const ArrangeTrial& trial) const {
       if (made.pieces[p].where.empty()) take({tube_place(p, side, trial)});
   }
   take(hood_places(rise));
-  take(band_places(rise));
+  const std::vector<Placed> legs = leg_places(trial);
+  take(legs);
+  take(band_places(rise, legs));
   take(gore_places(rise));
   made.attachments = holds();
   return made;

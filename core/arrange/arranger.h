@@ -57,13 +57,18 @@ class Arranger {
   /// Free edges at the top of the trunk's pieces: their length (m) and mean height on the sheet.
   std::array<double, 2> top_edge() const;
   bool is_top_segment(Index piece, std::size_t i) const;
+  bool is_top_of_leg(Index piece, std::size_t i) const;
   double sheet_depth(int face, double rise, const ArrangeTrial& trial) const;
   FlatLayout lay_limb(measure::BodySide side, double out) const;
   bool covers_trunk(const FlatLayout& flat, double rise) const;
   FlatMove hood_pose(Index piece, measure::BodySide side, double rise) const;
   bool tells_of_band(Index piece, Index other) const;
   double angle_of_band(Index piece, const sewing::WrappedPlacement& w) const;
+  sewing::WrappedPlacement band_at(Index piece, double lowest) const;
   sewing::WrappedPlacement band_around(Index piece, double rise) const;
+  std::array<double, 2> depth_over_legs() const;
+  sewing::WrappedPlacement around_leg(Index piece, const LegPiece& leg, double away) const;
+  std::optional<sewing::WrappedPlacement> band_on_legs(Index piece, const std::vector<Placed>& legs) const;
   sewing::WrappedPlacement tube_around(Index piece) const;
   std::optional<sewing::WrappedPlacement> band_upon(Index piece, const std::vector<Placed>& places) const;
   void hang_by(const std::vector<Vec2>& sewn, bool downwards, Index piece, sewing::WrappedPlacement& w) const;
@@ -77,7 +82,8 @@ class Arranger {
   double out_of_tube(Index piece, const SleeveLine& line, measure::BodySide side, double out) const;
   Placed tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const;
   std::vector<Placed> hood_places(double rise) const;
-  std::vector<Placed> band_places(double rise) const;
+  std::vector<Placed> leg_places(const ArrangeTrial& trial) const;
+  std::vector<Placed> band_places(double rise, const std::vector<Placed>& legs) const;
   std::vector<Placed> gore_places(double rise) const;
   std::vector<sewing::Attachment> holds() const;
 

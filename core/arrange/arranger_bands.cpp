@@ -133,14 +133,16 @@ double Arranger::angle_of_band(Index piece, const sewing::WrappedPlacement& w) c
 
 /// Strips that close in themselves go around the trunk, or the neck, at the height of what they are sewn to;
 /// a collar as much higher as the neck is slimmer there. What is sewn to such a strip alone goes around it.
-std::vector<Arranger::Placed> Arranger::band_places(double rise) const {
+std::vector<Arranger::Placed> Arranger::band_places(double rise, const std::vector<Placed>& legs) const {
   std::vector<Placed> places;
   for (const bool on_trunk : {true, false}) {
     for (const Index p : plan_.roles.bands) {
       if (mean_tie_on_trunk(p).has_value() != on_trunk) continue;
       const GarmentPiece& piece = plan_.graph.pieces[p];
       std::optional<sewing::WrappedPlacement> upon;
-      if (!on_trunk) upon = band_upon(p, places);
+      if (!on_trunk) upon = band_on_legs(p, legs);
+      if (!on_trunk && !upon) upon = band_upon(p, legs);
+      if (!on_trunk && !upon) upon = band_upon(p, places);
       const bool neck = piece.cover == Cover::kCollar;
       const bool alone = !on_trunk && !neck && plan_.roles.trunk.empty();
       places.push_back(
@@ -192,12 +194,11 @@ std::optional<sewing::WrappedPlacement> Arranger::band_upon(Index p,
   return std::nullopt;
 }
 
-sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
+/// A circle of the strip's length at a height (m), or where the neck above it is slimmest.
+sewing::WrappedPlacement Arranger::band_at(Index p, double lowest) const {
   const measure::BodyFigure& f = stand_.figure();
   const GarmentPiece& piece = plan_.graph.pieces[p];
   const bool neck = piece.cover == Cover::kCollar;
-  const std::optional<Vec2> tie = mean_tie_on_trunk(p);
-  const double lowest = tie ? tie->y + rise : neck ? f.neck : f.waist;
   const Vec2 outline = bounding_box(piece.outline).size();
   const double tall = std::min(outline.x, outline.y), wide = std::max(outline.x, outline.y);
   sewing::WrappedPlacement w;
@@ -213,6 +214,16 @@ sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
   w.radius = std::max(w.radius, 1.02 * wide / (2 * std::numbers::pi));
   // Where shoulders make the circle much wider than the strip is long, its ends would close beside the neck.
   if (neck && piece.tube) w.radius = std::min(w.radius, wide / (2 * std::numbers::pi * kLeastAround));
+  return w;
+}
+
+sewing::WrappedPlacement Arranger::band_around(Index p, double rise) const {
+  const measure::BodyFigure& f = stand_.figure();
+  const GarmentPiece& piece = plan_.graph.pieces[p];
+  const std::optional<Vec2> tie = mean_tie_on_trunk(p);
+  sewing::WrappedPlacement w = band_at(p, tie                             ? tie->y + rise
+                                          : piece.cover == Cover::kCollar ? f.neck
+                                                                          : f.waist);
   // The sewn edge comes to the height of what it is sewn to, the free one away from it.
   std::vector<Vec2> sewn;
   for (const GarmentTie& t : plan_.graph.ties) {

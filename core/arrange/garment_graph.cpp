@@ -66,7 +66,9 @@ std::vector<TieRun> runs_of(const mesh::PanelMeshes& meshes) {
   return runs;
 }
 
-bool is_dart(const TieRun& run, const mesh::PanelMeshes& meshes) {
+/// Between the sides of a dart there is no cloth; between those of a leg's inner seam, which narrows as much
+/// towards the hem, there is.
+bool is_dart(const TieRun& run, const mesh::PanelMeshes& meshes, const std::vector<GarmentPiece>& pieces) {
   const auto gap = [&](const mesh::SewnPair& p) {
     const std::vector<Vec2>& rest = meshes.panels[p.a.panel].rest;
     return length(rest[p.a.vertex] - rest[p.b.vertex]);
@@ -76,7 +78,12 @@ bool is_dart(const TieRun& run, const mesh::PanelMeshes& meshes) {
   const std::vector<Vec2>& rest = meshes.panels[first.a.panel].rest;
   const double long_side = length(rest[first.a.vertex] - rest[last.a.vertex]);
   // The stitch in a dart's point joins a vertex to itself and is left out, so the last one has some width.
-  return std::min(gap(first), gap(last)) < std::max(kDartPoint, 0.35 * long_side);
+  const double narrow = std::min(gap(first), gap(last));
+  if (narrow < kDartPoint) return true;
+  if (narrow > 0.35 * long_side) return false;
+  const mesh::SewnPair& wide = gap(first) > gap(last) ? first : last;
+  const Vec2 between = (rest[wide.a.vertex] + rest[wide.b.vertex]) * 0.5;
+  return !geometry::contains(pieces[first.a.panel].outline, between);
 }
 
 /// 1 where the run's sides go against each other along the outlines, so that both right sides are outside or
@@ -186,7 +193,7 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
   std::vector<std::array<Index, 3>> parities;
   for (const TieRun& run : runs_of(meshes)) {
     const Index a = run.pairs.front().a.panel, b = run.pairs.front().b.panel;
-    if (is_dart(run, meshes)) continue;
+    if (is_dart(run, meshes, graph.pieces)) continue;
     if (a == b) graph.pieces[a].tube = true;
     parities.push_back({a, b, a == b ? 0 : parity_of(run, numbers, graph.pieces)});
     for (const mesh::SewnPair& pair : run.pairs) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_words.h"
 
 namespace toile::arrange {
@@ -34,6 +34,10 @@ constexpr CoverWord kWords[] = {{Cover::kWaistband, true, "waistband"},
                                 {Cover::kLeg, true, "slacks"},
                                 {Cover::kLeg, true, "jeans"},
                                 {Cover::kLeg, true, "shorts"},
+                                {Cover::kLeg, true, "legging"},
+                                {Cover::kLeg, true, "jogger"},
+                                {Cover::kLeg, true, "culotte"},
+                                {Cover::kLeg, false, "tights"},
                                 {Cover::kLeg, false, "leg"},
                                 {Cover::kSkirt, true, "skirt"},
                                 {Cover::kSkirt, false, "gore"},
@@ -94,7 +98,7 @@ const char* name_of(Cover cover) {
 
 int face_of_name(const std::string& name) {
   if (const int told = seams::words_of(name).face; told != 0) return told;
-  for (const std::string& w : words_of_name(name)) {
+  for (const std::string& w : seams::words_of_piece(name)) {
     if (w.find("front") != std::string::npos) return 1;
     if (w.find("back") != std::string::npos) return -1;
     // "ftorso", and "rbsleeve": a hand's letter before the face's.
@@ -109,7 +113,7 @@ Cover cover_of_name(const std::string& name) {
   const seams::PieceWords told = seams::words_of(name);  // of several words, as "hem band" and "neck rib"
   if (told.hem_band) return Cover::kWaistband;
   if (told.kind == seams::PieceKind::kCollar) return Cover::kCollar;
-  const std::vector<std::string> words = words_of_name(name);
+  const std::vector<std::string> words = seams::words_of_piece(name);
   for (const CoverWord& known : kWords) {
     const bool met = std::any_of(words.begin(), words.end(), [&](const std::string& w) {
       return known.inside ? w.find(known.text) != std::string::npos : w == known.text;

@@ -7,10 +7,25 @@
 #include <iterator>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/pattern/seams/piece_language.h"
 
 namespace toile::seams {
 namespace {
+
+constexpr const char* kLegWords[] = {"pant",    "pants",    "trouser", "trousers", "leg",
+                                     "legging", "leggings", "tights",  "joggers",  "jogger",
+                                     "shorts",  "jeans",    "slacks",  "culottes", "culotte"};
+
+bool is_leg_word(const std::string& w) {
+  return std::any_of(std::begin(kLegWords), std::end(kLegWords), [&](const char* leg) { return w == leg; });
+}
+
+/// Whether legs are what a name tells of that says this besides: trousers' torso part is theirs.
+bool may_be_of_legs(PieceKind kind) {
+  using enum PieceKind;
+  return kind == kOther || kind == kCollar || kind == kHood || kind == kTorso || kind == kBand ||
+         kind == kSkirt;
+}
 
 bool is_part_word(const std::string& w) {
   static const char* const kParts[] = {"torso", "bodice", "body", "panel", "skirt",
@@ -28,14 +43,12 @@ PieceKind kind_of(const std::vector<std::string>& words) {
       {"collar", PieceKind::kCollar},  {"neckband", PieceKind::kCollar}, {"hood", PieceKind::kHood},
       {"lapel", PieceKind::kCollar},   {"torso", PieceKind::kTorso},     {"ftorso", PieceKind::kTorso},
       {"btorso", PieceKind::kTorso},   {"bodice", PieceKind::kTorso},    {"wb", PieceKind::kBand},
-      {"waistband", PieceKind::kBand}, {"skirt", PieceKind::kSkirt},     {"pant", PieceKind::kLegs},
-      {"pants", PieceKind::kLegs},     {"trouser", PieceKind::kLegs},    {"trousers", PieceKind::kLegs},
-      {"leg", PieceKind::kLegs},       {"sleeve", PieceKind::kSleeve},   {"slv", PieceKind::kSleeve},
-      {"cuff", PieceKind::kCuff},      {"ins", PieceKind::kInsert},      {"insert", PieceKind::kInsert},
-      {"gore", PieceKind::kSkirt},     {"godet", PieceKind::kInsert},    {"gusset", PieceKind::kInsert},
-      {"bib", PieceKind::kTorso},      {"strap", PieceKind::kStrap},     {"straps", PieceKind::kStrap},
-      {"tie", PieceKind::kStrap},      {"ties", PieceKind::kStrap},      {"belt", PieceKind::kStrap},
-      {"cord", PieceKind::kStrap},     {"drawstring", PieceKind::kStrap}};
+      {"waistband", PieceKind::kBand}, {"skirt", PieceKind::kSkirt},     {"sleeve", PieceKind::kSleeve},
+      {"slv", PieceKind::kSleeve},     {"cuff", PieceKind::kCuff},       {"ins", PieceKind::kInsert},
+      {"insert", PieceKind::kInsert},  {"gore", PieceKind::kSkirt},      {"godet", PieceKind::kInsert},
+      {"gusset", PieceKind::kInsert},  {"bib", PieceKind::kTorso},       {"strap", PieceKind::kStrap},
+      {"straps", PieceKind::kStrap},   {"tie", PieceKind::kStrap},       {"ties", PieceKind::kStrap},
+      {"belt", PieceKind::kStrap},     {"cord", PieceKind::kStrap},      {"drawstring", PieceKind::kStrap}};
   const auto has = [&](const char* word) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
@@ -43,12 +56,15 @@ PieceKind kind_of(const std::vector<std::string>& words) {
   PieceKind kind = PieceKind::kOther;
   for (const KindWord& known : kWords)
     if (has(known.word)) kind = known.kind;
+  if (may_be_of_legs(kind) && std::any_of(words.begin(), words.end(), is_leg_word)) return PieceKind::kLegs;
   if (kind != PieceKind::kOther) return kind;
   const auto any_ends = [&](const char* end) {  // "undersleeve", "overskirt"
     return std::any_of(words.begin(), words.end(), [&](const std::string& w) { return w.ends_with(end); });
   };
   for (const KindWord& known : kWords)
     if (std::strlen(known.word) > 3 && any_ends(known.word)) kind = known.kind;
+  if (may_be_of_legs(kind) && (any_ends("pant") || any_ends("pants") || any_ends("trousers")))
+    return PieceKind::kLegs;
   return kind;
 }
 
@@ -96,7 +112,7 @@ bool ever_meet(PieceKind a, PieceKind b) {
 
 PieceWords words_of(const std::string& name) {
   PieceWords words;
-  const std::vector<std::string> all = words_of_name(name);
+  const std::vector<std::string> all = words_of_piece(name);
   words.kind = kind_of(all);
   words.layer = holds_in_a_row(all, "chest", "piece") || holds_in_a_row(all, "under", "collar") ||
                 holds_in_a_row(all, "collar", "under");
@@ -117,7 +133,7 @@ PieceWords words_of(const std::string& name) {
     if (is({"r", "rt", "rgt", "rh"}) || starts("right", 'r')) words.side = 1;
     if (is({"f", "fr", "frt", "fnt", "ft", "cf", "bib", "apron"}) || starts("front", 'f')) words.face = 1;
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
-    if (is({"pant", "pants", "trouser", "trousers", "leg"})) words.leg = true;
+    if (is_leg_word(w)) words.leg = true;
     if (is({"side", "sidepanel", "flank"})) words.flank = words.kind != PieceKind::kHood;
     if (is({"stand", "neckband"}) && words.kind == PieceKind::kCollar) words.stand = true;
     if (is({"lining", "underlining", "facing", "interfacing", "interlining", "fusing", "fusible", "canvas",

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/text.h"
+#include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_words.h"
 
 namespace toile::create {
@@ -23,6 +23,18 @@ constexpr GarmentWord kGarments[] = {
     {"hoody", "sweatshirt-fleece"},
     {"jeans", "denim-10oz"},
     {"leggings", "ponte"},
+    {"legging", "ponte"},
+    {"yoga", "ponte"},
+    {"tights", "ponte"},
+    {"leotard", "ponte"},
+    {"bodysuit", "ponte"},
+    {"swimsuit", "ponte"},
+    {"cardigan", "interlock"},
+    {"sweater", "interlock"},
+    {"pyjama", "poplin"},
+    {"pyjamas", "poplin"},
+    {"pajama", "poplin"},
+    {"pajamas", "poplin"},
     {"blazer", "wool-suiting"},
     {"suit", "wool-suiting"},
     {"coat", "wool-flannel"},
@@ -45,10 +57,17 @@ bool has(const std::vector<std::string>& words, const char* word) {
 
 /// Words of a garment's name; "T-shirt" is one.
 std::vector<std::string> garment_words(const std::string& name) {
-  std::vector<std::string> words = words_of_name(name);
+  std::vector<std::string> words = seams::words_of_piece(name);
   for (std::size_t k = 1; k < words.size(); ++k)
     if (words[k - 1] == "t" && words[k] == "shirt") words[k] = "tshirt";
   return words;
+}
+
+/// What garments of such a name are made of; null where the words name none.
+const char* fabric_of(const std::vector<std::string>& words) {
+  for (const GarmentWord& known : kGarments)
+    if (has(words, known.word)) return known.fabric;
+  return nullptr;
 }
 
 bool are_trousers(const std::vector<std::string>& pieces) {
@@ -62,14 +81,16 @@ bool are_trousers(const std::vector<std::string>& pieces) {
 }  // namespace
 
 std::string garment_fabric(const std::string& name, const std::vector<std::string>& pieces) {
-  const std::vector<std::string> words = garment_words(name);
-  for (const GarmentWord& known : kGarments)
-    if (has(words, known.word)) return known.fabric;
-  return are_trousers(pieces) ? "twill" : "shirting";
+  if (const char* fabric = fabric_of(garment_words(name))) return fabric;
+  if (!are_trousers(pieces)) return "shirting";
+  // Legs say by their own names what trousers they are: "LEGGING LEG", "JEANS BACK".
+  for (const std::string& piece : pieces)
+    if (const char* fabric = fabric_of(garment_words(piece))) return fabric;
+  return "twill";
 }
 
 std::string piece_fabric(const std::string& piece) {
-  const std::vector<std::string> words = words_of_name(piece);
+  const std::vector<std::string> words = seams::words_of_piece(piece);
   for (const char* word : {"interlining", "interfacing", "fusing", "fusible"})
     if (has(words, word)) return "interlining";
   return has(words, "lining") || has(words, "underlining") ? "lining" : "";

@@ -1,0 +1,121 @@
+// Legs of one piece each, as leggings and pyjamas have: rolled around the leg, open between the legs, and the
+// bands that end them.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "core/arrange/arranger.h"
+#include "core/arrange/leg_piece.h"
+#include "core/arrange/piece_cover.h"
+
+namespace toile::arrange {
+
+namespace {
+
+/// Of a circle, that a leg's piece covers where its inner seam closes: less would close it before the leg,
+/// more would bring it between the legs.
+constexpr double kLeastAtFork = 0.72, kLeastAtHem = 0.85, kMostOfLeg = 0.95;
+constexpr double kOffTrunk = 0.02, kFromMiddle = 0.01, kForkLow = 0.037;  // m
+
+double sign_of(measure::BodySide side) { return side == measure::kWearersLeft ? 1 : -1; }
+
+double radius_of(double around, double wanted, double least) {
+  const double circle = around / (2 * std::numbers::pi);
+  return std::clamp(wanted, circle / kMostOfLeg, circle / least);
+}
+
+/// How far from the axis the two edges of what covers that much of a circle of that radius lie inwards, m.
+double inwards(double around, double radius) { return -radius * std::cos(around / (2 * radius)); }
+
+}  // namespace
+
+/// The trunk's middle and half depth between crotch and waist where a leg's piece goes on upwards, m.
+std::array<double, 2> Arranger::depth_over_legs() const {
+  const measure::BodyFigure& f = stand_.figure();
+  constexpr double kHalf = 0.1;
+  const std::vector<Vec2> there{{f.middle - kHalf, f.crotch},
+                                {f.middle + kHalf, f.crotch},
+                                {f.middle + kHalf, f.waist},
+                                {f.middle - kHalf, f.waist}};
+  const double front = stand_.reach(there, 1, 0), back = stand_.reach(there, -1, 0);
+  return {(front + back) / 2, (front - back) / 2};
+}
+
+/// A cone that opens inwards: about the leg below, and above it as far out before and behind the trunk as its
+/// half is deep.
+sewing::WrappedPlacement Arranger::around_leg(Index p, const LegPiece& leg, double away) const {
+  const measure::BodyFigure& f = stand_.figure();
+  const measure::BodySide side = leg.side;
+  const measure::LegLine& line = f.leg[side];
+  const auto [middle, half] = depth_over_legs();
+  const double calf = length(line.top - line.knee) * 0.15;
+  const double at_fork = radius_of(leg.at_fork, half + kOffTrunk + away, kLeastAtFork);
+  const double at_hem = radius_of(leg.at_hem, std::min(calf + away, at_fork), kLeastAtHem);
+  const auto aside = [&](double x, double around, double radius) {
+    return f.middle +
+           sign_of(side) * std::max(sign_of(side) * (x - f.middle), inwards(around, radius) + kFromMiddle);
+  };
+  const double fork = f.crotch - kForkLow;
+  const double share = std::min(1.0, leg.length / std::max(0.1, line.top.y - line.ankle.y));
+  const Vec3 above{aside(line.top.x, leg.at_fork, at_fork), fork, middle};
+  const Vec3 below{aside(line.top.x + (line.ankle.x - line.top.x) * share, leg.at_hem, at_hem),
+                   fork - leg.length, middle + (line.ankle.z - middle) * share};
+  sewing::WrappedPlacement w;
+  w.axis = above;
+  w.up = normalized(above - below);
+  w.height = 0;
+  w.radius = at_fork;
+  w.slope = (at_hem - at_fork) / leg.length;
+  w.angle = sign_of(side) * std::numbers::pi / 2;
+  w.anchor = leg.fork;
+  w.turn = std::numbers::pi / 2 - std::atan2(leg.up.y, leg.up.x);
+  w.flipped = plan_.graph.pieces[p].outside < 0;
+  return w;
+}
+
+std::vector<Arranger::Placed> Arranger::leg_places(const ArrangeTrial& trial) const {
+  std::vector<Placed> places;
+  for (const LegPiece& leg : plan_.legs)
+    places.push_back({leg.piece, around_leg(leg.piece, leg, trial.away),
+                      leg.side == measure::kWearersLeft ? "left leg, around it" : "right leg, around it"});
+  return places;
+}
+
+/// A band that joins the legs goes around the trunk, above where they end.
+std::optional<sewing::WrappedPlacement> Arranger::band_on_legs(Index p,
+                                                               const std::vector<Placed>& legs) const {
+  std::vector<Vec2> mine;
+  std::vector<Vec3> there;
+  std::vector<Index> hosts;
+  for (const Placed& leg : legs) {
+    for (const GarmentTie& t : plan_.graph.ties) {
+      if (!(t.a == p && t.b == leg.piece) && !(t.b == p && t.a == leg.piece)) continue;
+      mine.push_back(t.a == p ? t.at_a : t.at_b);
+      there.push_back(sewing::place({t.a == p ? t.at_b : t.at_a}, leg.placement).front());
+      if (hosts.empty() || hosts.back() != leg.piece) hosts.push_back(leg.piece);
+    }
+  }
+  if (hosts.size() < 2) return std::nullopt;
+  double height = 0;
+  for (const Vec3& q : there) height += q.y / static_cast<double>(there.size());
+  sewing::WrappedPlacement w = band_at(p, height);
+  hang_by(mine, false, p, w);
+  w.height += kSheetGap;
+  double sines = 0, cosines = 0;
+  const double c = std::cos(w.turn), s = std::sin(w.turn);
+  for (std::size_t i = 0; i < mine.size(); ++i) {
+    const Vec2 d = mine[i] - w.anchor;
+    const double along = (c * d.x - s * d.y) * (w.flipped ? -1 : 1);
+    const double angle = std::atan2(there[i].x - w.axis.x, there[i].z - w.axis.z) - along / w.radius;
+    sines += std::sin(angle);
+    cosines += std::cos(angle);
+  }
+  w.angle = std::atan2(sines, cosines);
+  return w;
+}
+
+}  // namespace toile::arrange
