@@ -406,7 +406,8 @@ Arrangement Arranger::place(const ArrangeTrial& trial) const {
     }
   };
   const double rise = plan_.roles.trunk.empty() ? 0 : rise_of_trunk(trial);
-  take(trunk_places(trial, rise));
+  const std::vector<Placed> trunk = trunk_places(trial, rise);
+  take(trunk);
   for (const measure::BodySide side : {measure::kWearersLeft, measure::kWearersRight}) {
     take(limb_places(side, trial, rise));
     for (const Index p : plan_.arms.tube[side]) take({tube_place(p, side, trial)});
@@ -416,7 +417,7 @@ Arrangement Arranger::place(const ArrangeTrial& trial) const {
   take(hood_places(rise));
   const std::vector<Placed> legs = leg_places(trial);
   take(legs);
-  take(band_places(rise, legs));
+  take(band_places(rise, legs, trunk));
   take(gore_places(rise));
   made.attachments = holds();
   return made;

@@ -46,6 +46,7 @@ class Arranger {
   };
 
   struct Hanging;
+  struct Stitches;
 
   Arranger(ArrangePlan plan, const BodyStand& stand) : plan_(std::move(plan)), stand_(stand) {}
 
@@ -68,7 +69,10 @@ class Arranger {
   sewing::WrappedPlacement band_around(Index piece, double rise) const;
   std::array<double, 2> depth_over_legs() const;
   sewing::WrappedPlacement around_leg(Index piece, const LegPiece& leg, double away) const;
+  Stitches stitches_to_legs(Index piece, const std::vector<Placed>& placed) const;
+  static double angle_to(const Stitches& stitches, const sewing::WrappedPlacement& w);
   std::optional<sewing::WrappedPlacement> band_on_legs(Index piece, const std::vector<Placed>& legs) const;
+  std::optional<sewing::WrappedPlacement> cuff_on_leg(Index piece, const std::vector<Placed>& placed) const;
   sewing::WrappedPlacement tube_around(Index piece) const;
   std::optional<sewing::WrappedPlacement> band_upon(Index piece, const std::vector<Placed>& places) const;
   void hang_by(const std::vector<Vec2>& sewn, bool downwards, Index piece, sewing::WrappedPlacement& w) const;
@@ -83,7 +87,8 @@ class Arranger {
   Placed tube_place(Index piece, measure::BodySide side, const ArrangeTrial& trial) const;
   std::vector<Placed> hood_places(double rise) const;
   std::vector<Placed> leg_places(const ArrangeTrial& trial) const;
-  std::vector<Placed> band_places(double rise, const std::vector<Placed>& legs) const;
+  std::vector<Placed> band_places(double rise, const std::vector<Placed>& legs,
+                                  const std::vector<Placed>& trunk) const;
   std::vector<Placed> gore_places(double rise) const;
   std::vector<sewing::Attachment> holds() const;
 

@@ -133,24 +133,24 @@ double Arranger::angle_of_band(Index piece, const sewing::WrappedPlacement& w) c
 
 /// Strips that close in themselves go around the trunk, or the neck, at the height of what they are sewn to;
 /// a collar as much higher as the neck is slimmer there. What is sewn to such a strip alone goes around it.
-std::vector<Arranger::Placed> Arranger::band_places(double rise, const std::vector<Placed>& legs) const {
+std::vector<Arranger::Placed> Arranger::band_places(double rise, const std::vector<Placed>& legs,
+                                                    const std::vector<Placed>& trunk) const {
   std::vector<Placed> places;
   for (const bool on_trunk : {true, false}) {
     for (const Index p : plan_.roles.bands) {
       if (mean_tie_on_trunk(p).has_value() != on_trunk) continue;
-      const GarmentPiece& piece = plan_.graph.pieces[p];
-      std::optional<sewing::WrappedPlacement> upon;
-      if (!on_trunk) upon = band_on_legs(p, legs);
+      const Cover cover = plan_.graph.pieces[p].cover;
+      std::optional<sewing::WrappedPlacement> upon = cuff_on_leg(p, on_trunk ? trunk : legs);
+      const bool ankle = upon.has_value();
+      if (!on_trunk && !upon) upon = band_on_legs(p, legs);
       if (!on_trunk && !upon) upon = band_upon(p, legs);
       if (!on_trunk && !upon) upon = band_upon(p, places);
-      const bool neck = piece.cover == Cover::kCollar;
-      const bool alone = !on_trunk && !neck && plan_.roles.trunk.empty();
-      places.push_back(
-          {p,
-           upon    ? *upon
-           : alone ? tube_around(p)
-                   : band_around(p, rise),
-           std::string(name_of(piece.cover)) + (neck ? ", around the neck" : ", around the trunk")});
+      const bool alone = !on_trunk && cover != Cover::kCollar && plan_.roles.trunk.empty();
+      if (!upon) upon = alone ? tube_around(p) : band_around(p, rise);
+      const char* where = ankle                     ? ", around the ankle"
+                          : cover == Cover::kCollar ? ", around the neck"
+                                                    : ", around the trunk";
+      places.push_back({p, *upon, name_of(cover) + std::string(where)});
     }
   }
   return places;

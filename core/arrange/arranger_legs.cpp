@@ -85,36 +85,77 @@ std::vector<Arranger::Placed> Arranger::leg_places(const ArrangeTrial& trial) co
   return places;
 }
 
-/// A band that joins the legs goes around the trunk, above where they end.
-std::optional<sewing::WrappedPlacement> Arranger::band_on_legs(Index p,
-                                                               const std::vector<Placed>& legs) const {
+/// Where the piece's stitches lie, in its plane, and what of those that are placed they are sewn to, m.
+struct Arranger::Stitches {
   std::vector<Vec2> mine;
   std::vector<Vec3> there;
   std::vector<Index> hosts;
-  for (const Placed& leg : legs) {
+
+  Vec3 mean() const {
+    Vec3 sum;
+    for (const Vec3& q : there) sum += q * (1.0 / static_cast<double>(there.size()));
+    return sum;
+  }
+};
+
+Arranger::Stitches Arranger::stitches_to_legs(Index p, const std::vector<Placed>& placed) const {
+  Stitches found;
+  for (const Placed& leg : placed) {
+    if (plan_.graph.pieces[leg.piece].cover != Cover::kLeg) continue;
     for (const GarmentTie& t : plan_.graph.ties) {
       if (!(t.a == p && t.b == leg.piece) && !(t.b == p && t.a == leg.piece)) continue;
-      mine.push_back(t.a == p ? t.at_a : t.at_b);
-      there.push_back(sewing::place({t.a == p ? t.at_b : t.at_a}, leg.placement).front());
-      if (hosts.empty() || hosts.back() != leg.piece) hosts.push_back(leg.piece);
+      found.mine.push_back(t.a == p ? t.at_a : t.at_b);
+      found.there.push_back(sewing::place({t.a == p ? t.at_b : t.at_a}, leg.placement).front());
+      if (found.hosts.empty() || found.hosts.back() != leg.piece) found.hosts.push_back(leg.piece);
     }
   }
-  if (hosts.size() < 2) return std::nullopt;
-  double height = 0;
-  for (const Vec3& q : there) height += q.y / static_cast<double>(there.size());
-  sewing::WrappedPlacement w = band_at(p, height);
-  hang_by(mine, false, p, w);
-  w.height += kSheetGap;
+  return found;
+}
+
+/// The angle at which the strip's stitches stand nearest to those that they are sewn to, radians.
+double Arranger::angle_to(const Stitches& stitches, const sewing::WrappedPlacement& w) {
   double sines = 0, cosines = 0;
   const double c = std::cos(w.turn), s = std::sin(w.turn);
-  for (std::size_t i = 0; i < mine.size(); ++i) {
-    const Vec2 d = mine[i] - w.anchor;
+  for (std::size_t i = 0; i < stitches.mine.size(); ++i) {
+    const Vec2 d = stitches.mine[i] - w.anchor;
     const double along = (c * d.x - s * d.y) * (w.flipped ? -1 : 1);
-    const double angle = std::atan2(there[i].x - w.axis.x, there[i].z - w.axis.z) - along / w.radius;
-    sines += std::sin(angle);
-    cosines += std::cos(angle);
+    const Vec3 out = stitches.there[i] - w.axis;
+    sines += std::sin(std::atan2(out.x, out.z) - along / w.radius);
+    cosines += std::cos(std::atan2(out.x, out.z) - along / w.radius);
   }
-  w.angle = std::atan2(sines, cosines);
+  return std::atan2(sines, cosines);
+}
+
+/// A band that joins legs of one piece each goes around the trunk, above where they end.
+std::optional<sewing::WrappedPlacement> Arranger::band_on_legs(Index p,
+                                                               const std::vector<Placed>& legs) const {
+  const Stitches stitches = stitches_to_legs(p, legs);
+  if (stitches.hosts.size() < 2 || plan_.graph.pieces[p].cover == Cover::kCuff) return std::nullopt;
+  sewing::WrappedPlacement w = band_at(p, stitches.mean().y);
+  hang_by(stitches.mine, false, p, w);
+  w.height += kSheetGap;
+  w.angle = angle_to(stitches, w);
+  return w;
+}
+
+/// A cuff closes about the ankle, however far down its leg ends: it is narrower than a foot.
+std::optional<sewing::WrappedPlacement> Arranger::cuff_on_leg(Index p,
+                                                              const std::vector<Placed>& placed) const {
+  const GarmentPiece& piece = plan_.graph.pieces[p];
+  if (piece.cover != Cover::kCuff || !piece.tube) return std::nullopt;
+  const Stitches stitches = stitches_to_legs(p, placed);
+  if (stitches.hosts.empty()) return std::nullopt;
+  const Vec3 hem = stitches.mean();
+  const measure::BodyFigure& f = stand_.figure();
+  const measure::LegLine& leg = f.leg[hem.x > f.middle ? measure::kWearersLeft : measure::kWearersRight];
+  const Vec2 size = bounding_box(piece.outline).size();
+  sewing::WrappedPlacement w;
+  w.axis = leg.ankle;
+  w.up = normalized(leg.knee - leg.ankle);
+  w.radius = radius_of(std::max(size.x, size.y), HUGE_VAL, kLeastAtHem);
+  hang_by(stitches.mine, true, p, w);
+  w.height = std::max(hem.y - kSheetGap - leg.ankle.y, std::min(size.x, size.y));
+  w.angle = angle_to(stitches, w);
   return w;
 }
 

@@ -248,7 +248,9 @@ bool is_half(const SeamModel& m, Index p) {
 
 bool goes_all_around(const SeamModel& m, Index band) {
   const PieceWords& words = m.words[band];
-  if (words.kind != PieceKind::kBand || words.face != 0 || words.side != 0) return false;
+  const bool cuff = words.kind == PieceKind::kCuff;  // it may be of one side and goes around its limb
+  if ((words.kind != PieceKind::kBand && !cuff) || words.face != 0 || (words.side != 0 && !cuff))
+    return false;
   bool front = false, back = false;
   for (Index q = 0; q < static_cast<Index>(m.words.size()); ++q) {
     if (m.words[q].layer || (hangs_from(m, band, q) <= 0 && hangs_from(m, q, band) <= 0)) continue;

@@ -223,6 +223,15 @@ void name_hem_bands(SeamModel& m) {
     if (w.hem_band) w.kind = PieceKind::kBand;
 }
 
+/// Without arms a garment with legs has its cuffs there, whether their names say so or not.
+void name_leg_cuffs(SeamModel& m) {
+  const auto any = [&](auto is) { return std::any_of(m.words.begin(), m.words.end(), is); };
+  using enum PieceKind;
+  if (any([](const PieceWords& w) { return w.kind == kSleeve || w.kind == kTorso; })) return;
+  if (!any([](const PieceWords& w) { return w.kind == kLegs; })) return;
+  for (PieceWords& w : m.words) w.leg = w.leg || w.kind == kCuff;
+}
+
 }  // namespace
 
 double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& after) {
@@ -288,6 +297,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   find_rows(pattern, model);
   find_twins(model);
   name_legs(model);
+  name_leg_cuffs(model);
   find_between(model);
   find_hands(model);
   find_caps(model);

@@ -42,15 +42,17 @@ bool is_elided(std::string_view text, std::size_t at) {
   return text[at] == 'l' || text[at] == 'd' || text[at] == 'L' || text[at] == 'D';
 }
 
+/// Whether the byte goes on a letter of UTF-8.
+bool goes_on(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80; }
+
 std::string without_accents(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     if (is_elided(text, i)) {
       out += ' ';
-    } else if (byte >= 0xC3 && byte <= 0xC5 && i + 1 < text.size()) {
-      const unsigned letter = (byte & 0x1Fu) << 6 | (static_cast<unsigned char>(text[i + 1]) & 0x3Fu);
-      out += bare(letter);
+    } else if (byte >= 0xC3 && byte <= 0xC5 && i + 1 < text.size() && goes_on(text[i + 1])) {
+      out += bare((byte & 0x1Fu) << 6 | (static_cast<unsigned char>(text[i + 1]) & 0x3Fu));
       ++i;
     } else {
       out += text[i];
@@ -337,7 +339,7 @@ std::string english_parts(const std::string& word) {
   }
   const Term* longest = nullptr;
   for (const Term& t : kEndings) {
-    if (word.size() <= t.foreign.size() || !word.ends_with(t.foreign)) continue;
+    if (!word.ends_with(t.foreign)) continue;
     if (longest == nullptr || t.foreign.size() > longest->foreign.size()) longest = &t;
   }
   if (longest != nullptr) add(longest->english);

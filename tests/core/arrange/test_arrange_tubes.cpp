@@ -50,6 +50,51 @@ TEST(ArrangeTubes, ASkirtOfOnePieceAloneHasItsUpperEndWhereTheTrunkIsAsWide) {
   }
 }
 
+/// Half of leggings: hem, back of the inner seam, back and front of the crotch with the waist between them,
+/// front of the inner seam. The front lies towards larger x.
+std::vector<Vec2> one_piece_leg(double hem) {
+  return {{-hem, 0}, {hem, 0}, {225, 720}, {190, 780}, {185, 960}, {-200, 1000}, {-210, 800}, {-275, 720}};
+}
+
+/// Legs of one piece each, with a waistband and with cuffs of one piece.
+pattern::Pattern leggings(double hem) {
+  pattern::Pattern pattern;
+  pattern.panels = {polygon("leg_a", one_piece_leg(hem)), turned_over("leg_b", one_piece_leg(hem)),
+                    polygon("waistband", {{0, 0}, {700, 0}, {700, 40}, {0, 40}}),
+                    polygon("cuff_a", {{0, 0}, {230, 0}, {230, 60}, {0, 60}}),
+                    polygon("cuff_b", {{0, 0}, {230, 0}, {230, 60}, {0, 60}})};
+  pattern.seams = {seam("inner_a", {{0, 1}}, {{0, 7}}),     seam("inner_b", {{1, 6}}, {{1, 0}}),
+                   seam("front_below", {{0, 2}}, {{1, 5}}), seam("front", {{0, 3}}, {{1, 4}}),
+                   seam("back", {{0, 5}}, {{1, 2}}),        seam("back_below", {{0, 6}}, {{1, 1}}),
+                   seam("band", {{2, 1}}, {{2, 3}}),        seam("waist", {{2, 0}}, {{0, 4}, {1, 3}}),
+                   seam("round_a", {{3, 1}}, {{3, 3}}),     seam("round_b", {{4, 1}}, {{4, 3}}),
+                   seam("hem_a", {{3, 2}}, {{0, 0}}),       seam("hem_b", {{4, 2}}, {{1, 7}})};
+  return pattern;
+}
+
+TEST(ArrangeTubes, LegsOfOnePieceGoAroundTheirLegs) {
+  for (const double hem : {100.0, 180.0}) {  // as leggings and as pyjamas
+    const Start s = started(leggings(hem));
+    const measure::BodyFigure& f = figure();
+    // Seen from outside with the waist up, the front of a left leg is on the left.
+    const Vec3 a = centre_of(s, 0), b = centre_of(s, 1);
+    EXPECT_LT(a.x, f.middle - 0.05) << "its front is on the right: the wearer's right leg";
+    EXPECT_NEAR(b.x - f.middle, f.middle - a.x, 0.02);
+    EXPECT_NEAR(b.y, a.y, 0.01);
+    EXPECT_GT(centre_of(s, 2).y, f.hip) << "the band";
+    for (const Index cuff : {3, 4}) {
+      const measure::LegLine& leg = f.leg[cuff == 3 ? measure::kWearersRight : measure::kWearersLeft];
+      EXPECT_NEAR(centre_of(s, cuff).x, leg.ankle.x, 0.06);
+      EXPECT_NEAR(centre_of(s, cuff).y, leg.ankle.y, 0.15);
+    }
+    int around_leg = 0;
+    for (const auto& ring : rings(s.assembly.garment))
+      for (const measure::LegLine& leg : f.leg)
+        around_leg += std::abs(winding(s, ring, leg.ankle, normalized(leg.knee - leg.ankle)));
+    EXPECT_GE(around_leg, 2) << "the lower ends of both";
+  }
+}
+
 TEST(ArrangeTubes, DungareesAreHeldByTheirCrotchHoweverHighTheBibIs) {
   pattern::Pattern pattern = trousers();
   const double waist = centre_of(started(pattern), 0).y;

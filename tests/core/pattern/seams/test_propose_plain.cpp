@@ -273,6 +273,26 @@ TEST(PlainGarments, ATShapeIsSewnBelowItsArms) {
   EXPECT_FALSE(worn.takes("Front.e0")) << "the hem";
 }
 
+TEST(PlainGarments, CuffsOfTrousersTakeTheHemsOfFrontAndBack) {
+  const auto half = [](const std::string& name, double hem, double top) {
+    return piece(name, {{0, 0},
+                        {hem, 0, Vec2{hem + 10, 300}, Vec2{top, 600}},
+                        {top + 60, 740, Vec2{top + 20, 755}, Vec2{top + 4, 810}},
+                        {top, 970},
+                        {40, 970},
+                        {-10, 760, Vec2{-10, 500}, Vec2{-2, 300}}});
+  };
+  const pattern::Panel front = half("Front Leg", 170, 215), back = half("Back Leg", 190, 240),
+                       cuff = strip("Cuff", 270, 70);
+  const WornSeams worn({front, mirrored(front, "Front Leg_2"), back, mirrored(back, "Back Leg_2"), cuff,
+                        mirrored(cuff, "Cuff_2")});
+  EXPECT_TRUE(worn.has({"Cuff.e1"}, {"Cuff.e3"}));
+  int sewn = 0;
+  for (const char* edge : {"Front Leg.e0", "Back Leg.e0"}) sewn += worn.takes(edge);
+  EXPECT_EQ(sewn, 2) << "both hems, gathered a little";
+  EXPECT_FALSE(worn.has({"Cuff.e2"}, {"Back Leg.e0"})) << "not one of them alone";
+}
+
 TEST(PlainGarments, BandsAreTakenAtTheirWord) {
   EXPECT_EQ(seams::words_of("NECK RIB").kind, seams::PieceKind::kCollar);
   EXPECT_TRUE(seams::words_of("hem_band").hem_band);

@@ -242,7 +242,11 @@ TEST(ProjectNew, NamesTellWhatAGarmentIsMadeOf) {
   EXPECT_EQ(create::garment_fabric("trial", bodice), "shirting");
   EXPECT_EQ(create::garment_fabric("trial", legs), "twill") << "pieces tell, too";
   EXPECT_EQ(create::garment_fabric("trial", {"pant_front", "left_torso"}), "shirting") << "an overall";
+  EXPECT_EQ(create::garment_fabric("trial", {"LEGGING LEG", "waistband"}), "ponte");
+  EXPECT_EQ(create::garment_fabric("Bluse Anna", bodice), "shirting");
+  EXPECT_EQ(create::garment_fabric("Modell 3", {"Vorderhose", "Hinterhose"}), "twill");
   EXPECT_EQ(create::piece_fabric("back_lining"), "lining");
+  EXPECT_EQ(create::piece_fabric("\u00c4rmelfutter"), "lining");
   EXPECT_EQ(create::piece_fabric("collar-interfacing"), "interlining");
   EXPECT_EQ(create::piece_fabric("front"), "");
 }
