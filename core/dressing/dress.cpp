@@ -6,6 +6,7 @@
 #include "core/base/snapped.h"
 #include "core/dressing/axis_guard.h"
 #include "core/dressing/clearance.h"
+#include "core/dressing/cut_on_sleeves.h"
 #include "core/dressing/shape_solver.h"
 #include "core/dressing/shoulders.h"
 #include "core/sewing/rings.h"
@@ -162,11 +163,14 @@ std::vector<Vec3> drawn_together(const sewing::Assembly& assembly, const Wearer&
   Sewn open = shape_of(assembly, each_for_itself(g.vertex_count()), start);
   ShapeSolver solver(open.mesh, threads_of(g, covers, start), rubber(way));
   AxisGuard guard(axes_of(wearer.skeleton()), open.mesh.triangles, open.x);
+  std::optional<KeptOnArms> on_arms;
+  if (way.staging.along_arms) on_arms.emplace(assembly, covers, wearer.figure(), open.x);
   for (int i = 0; i < kSewing && !context.cancelled(); ++i) {
     if (watch && i % kWatched == 0) watch(open.x);
     const std::vector<Vec3> before = open.x;
     solver.pass(open.x, shrunk_at(i), &slim);
     keep_up(g, covers, before, open.x);
+    if (on_arms) on_arms->keep(before, open.x);
     guard.keep(before, open.x);
     context.progress("dress", 0.5 * i / kSewing);
   }
@@ -338,7 +342,8 @@ bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
 
 // Folding comes second: it leaves the hems of light cloth turned up, which drawing in as a whole does not.
 const std::vector<DressingWay>& dressing_ways() {
-  static const std::vector<DressingWay> kWays{{{0.12, 0, true, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
+  static const std::vector<DressingWay> kWays{{{0.12, 0, true, false, Wide::kSmaller, true}, 0.5, 0.3, 0.3},
+                                              {{0.12, 0, true, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
                                               {{0.12, 0, true, false, Wide::kFolded}, 0.5, 0.3, 0.3},
                                               {{0.12, 0.05, false, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
                                               {{0.07, 0.07, true, true, Wide::kSmaller}, 0.5, 0.3, 0.3},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/dressing/cut_on_sleeves.h"
 #include "core/geometry/distance.h"
 
 namespace toile::dressing {
@@ -234,7 +235,8 @@ std::vector<Covers> covers_of(const sewing::Assembly& assembly, const measure::B
   std::vector<Covers> covers;
   for (std::size_t p = 0; p + 1 < assembly.garment.first_vertex.size(); ++p) {
     const Extent e = extent_of(assembly, p, f.middle);
-    const bool wheel = e.low < f.crotch && e.aside > kWide;  // a circle skirt's reach up beside the trunk
+    // A circle skirt's pieces reach up beside the trunk.
+    const bool wheel = e.low < f.crotch && e.aside > kWide && !has_cut_on_sleeves(assembly, p, f);
     covers.push_back(at_arm(e.middle, f)            ? Covers::kArm
                      : e.middle.y > f.shoulder[0].y ? Covers::kNeck
                      : e.high < trunk_top || wheel  ? Covers::kBelow
@@ -269,6 +271,7 @@ std::vector<Vec3> staged(const sewing::Assembly& assembly, std::span<const Cover
                      : waist + (x[i] - top) * narrow.share;
     x[i].y += lifts[piece];
   }
+  if (staging.along_arms) lay_along_arms(assembly, covers, figure, x);
   return x;
 }
 

@@ -31,6 +31,7 @@ struct Staging {
       true;  ///< pieces for an arm have its line in their middle; else they go up as the trunk
   bool trunk_narrow = false;  ///< pieces of the trunk that reach beyond the armpits are drawn in between them
   Wide below = Wide::kSmaller;
+  bool along_arms = false;  ///< sleeves that are cut on lie along the arms
 };
 
 /// The start of each garment vertex, m.

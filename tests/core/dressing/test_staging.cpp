@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/dressing/cut_on_sleeves.h"
 #include "core/dressing/put_on.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "tests/core/arrange/garments.h"
@@ -56,9 +57,10 @@ pattern::Pattern circle_dress() {
   return p;
 }
 
-sewing::Assembly placed(const pattern::Pattern& p) {
+/// `below`: m from the shoulders to where the first two pieces are drawn from.
+sewing::Assembly placed(const pattern::Pattern& p, double below = 0.5) {
   const auto meshes = mesh::make_panel_meshes(p, 0.03, {}).value();
-  const double height = test::person().figure.shoulder[0].y - 0.5;
+  const double height = test::person().figure.shoulder[0].y - below;
   std::vector<sewing::Placement> places;
   for (std::size_t k = 0; k < p.panels.size(); k += 2) {
     places.push_back(sewing::RigidPlacement{{0, height, 0.22}, {}, false});
@@ -152,18 +154,77 @@ TEST(Staging, AWideSkirtIsFoldedDownInsideTheHandsAsLongAsItIs) {
   EXPECT_NEAR(longest(x), longest(dress.positions), 1e-6) << "as long as it is";
 }
 
+/// A top whose sleeves are cut on, straight out from the shoulder to `wrist`, `length` long; mm.
+pattern::Pattern t_shape(double wrist, double length) {
+  const double arm = length - 220;
+  pattern::Pattern p;
+  const std::vector<Vec2> corners{
+      {-260, 0},          {260, 0},          {240, arm},         {wrist, arm + 30}, {wrist, length - 40},
+      {90, length},       {60, length - 60}, {-60, length - 60}, {-90, length},     {-wrist, length - 40},
+      {-wrist, arm + 30}, {-240, arm}};
+  p.panels = {test::polygon("front", corners), test::turned_over("back", corners)};
+  for (const Index e : {1, 2, 4, 8, 10, 11})
+    p.seams.push_back(test::seam("s" + std::to_string(e), {{0, e}}, {{1, 11 - e}}));
+  return p;
+}
+
+TEST(Staging, SleevesThatAreCutOnAreToldFromWideSkirts) {
+  const measure::BodyFigure& f = test::person().figure;
+  EXPECT_TRUE(dressing::has_cut_on_sleeves(placed(t_shape(600, 600)), 0, f));
+  EXPECT_FALSE(dressing::has_cut_on_sleeves(placed(plain_top()), 0, f));
+  const sewing::Assembly dress = placed(circle_dress());
+  for (const std::size_t piece : {0, 2}) EXPECT_FALSE(dressing::has_cut_on_sleeves(dress, piece, f));
+  const sewing::Assembly tunic = placed(t_shape(450, 900));
+  EXPECT_EQ(dressing::covers_of(tunic, f)[0], dressing::Covers::kTrunk) << "however long it is";
+}
+
+TEST(Staging, SleevesThatAreCutOnBeginAlongTheArms) {
+  const measure::BodyFigure& f = test::person().figure;
+  const sewing::Assembly top = placed(t_shape(600, 600));
+  dressing::Staging staging;
+  staging.along_arms = true;
+  const std::vector<Vec3> x = dressing::staged(top, dressing::covers_of(top, f), f, staging);
+  Vec3 hand;
+  int count = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double aside = top.positions[i].x - f.middle;
+    if (std::abs(aside) < 0.1) {
+      EXPECT_EQ(x[i], top.positions[i]) << "the trunk stays";
+    }
+    if (aside < 0.595) continue;
+    hand += x[i];
+    ++count;
+  }
+  ASSERT_GT(count, 2);
+  const measure::ArmLine& arm = f.arm[0];
+  const Vec3 out = hand * (1.0 / count) - arm.root;
+  EXPECT_LT(std::abs(out.x * arm.along().y - out.y * arm.along().x), 0.05)
+      << "on the arm's line, seen from before";
+}
+
+TEST(Staging, ATShapeIsPutOnWithItsSleevesAroundTheArms) {
+  const dressing::Wearer wearer(test::person());
+  for (const double length : {600.0, 800.0}) {
+    const dressing::Dressed on = dressing::dress(placed(t_shape(520, length), length * 1e-3 - 0.03), wearer,
+                                                 dressing::dressing_ways()[0], {});
+    EXPECT_TRUE(on.certificate.holds()) << length;
+    EXPECT_EQ(on.certificate.rings.size(), 4U);
+    EXPECT_EQ(on.certificate.wrong_rings(), 0) << length;
+  }
+}
+
 TEST(Staging, FoldingIsNoOtherWayWhereNothingIsWide) {
   const dressing::Wearer wearer(test::person());
   const std::vector<dressing::DressingWay>& ways = dressing::dressing_ways();
-  ASSERT_EQ(ways[1].staging.below, dressing::Wide::kFolded);
-  EXPECT_TRUE(dressing::same_way(placed(plain_top()), wearer, ways[0], ways[1]));
-  EXPECT_FALSE(dressing::same_way(placed(circle_dress()), wearer, ways[0], ways[1]));
+  ASSERT_EQ(ways[2].staging.below, dressing::Wide::kFolded);
+  EXPECT_TRUE(dressing::same_way(placed(plain_top()), wearer, ways[1], ways[2]));
+  EXPECT_FALSE(dressing::same_way(placed(circle_dress()), wearer, ways[1], ways[2]));
 }
 
 TEST(Staging, ACircleDressIsPutOnByFoldingItsSkirt) {
   const dressing::Wearer wearer(test::person());
   const sewing::Assembly dress = placed(circle_dress());
-  const dressing::Dressed on = dressing::dress(dress, wearer, dressing::dressing_ways()[1], {});
+  const dressing::Dressed on = dressing::dress(dress, wearer, dressing::dressing_ways()[2], {});
   EXPECT_TRUE(on.certificate.holds());
   EXPECT_LT(on.certificate.shrink_p99, 0.4) << "hardly squeezed";
 }
