@@ -10,13 +10,13 @@ import type { Import, Unit } from '../api/types';
 import { useAppState } from '../state/context';
 import { presetTitle } from '../state/dressing';
 import { seamsInReach, sureness, type BodyChoice, type ImportDraft, type PreviewProps } from '../state/importDraft';
-import { percent, sentence } from '../state/words';
+import { percent } from '../state/words';
 import { patternFigure, patternLength } from '../texts/units';
 import { ImportLayers } from './ImportLayers';
 import { ImportReport } from './ImportReport';
 import { ImportSeams } from './ImportSeams';
 import { t } from '../texts/language';
-import { Told } from '../texts/Message';
+import { Said, Told } from '../texts/Message';
 
 type Page = 'pieces' | 'layers' | 'seams' | 'report';
 
@@ -179,7 +179,9 @@ function UnitAndSize({ draft, report }: { draft: ImportDraft; report: Import }) 
       {unit.doubt && <UnitDoubt {...unit.doubt} />}
       <ul class="evidence">
         {unit.evidence.map((text, i) => (
-          <li key={i}>{sentence(text)}</li>
+          <li key={i}>
+            <Said text={text} />
+          </li>
         ))}
       </ul>
       {report.sizes.length > 1 && (

@@ -11,10 +11,11 @@ import {
   type Accounts,
   type ReportFilter,
 } from '../state/importDraft';
-import { count, sentence } from '../state/words';
+import { count } from '../state/words';
 import { patternFigure, patternLength } from '../texts/units';
 import { Icon } from '../controls/Icon';
 import { t } from '../texts/language';
+import { Said } from '../texts/Message';
 
 /** Rows drawn at once: a filter finds the others. */
 const kMostRows = 200;
@@ -120,7 +121,9 @@ function Warnings({ warnings }: { warnings: readonly ImportWarning[] }) {
         <li key={i}>
           <Icon name="alert" />
           <div>
-            <p>{sentence(one.text)}</p>
+            <p>
+              <Said text={one.text} />
+            </p>
             <small>
               {said([
                 one.piece && t.imports.pieceOf(one.piece),
@@ -150,7 +153,11 @@ function Entities({ entities }: { entities: readonly ImportedEntity[] }) {
               </b>{' '}
               {one.layer && t.imports.onLayer(one.layer)}
             </p>
-            {one.reason && <p>{sentence(one.reason)}</p>}
+            {one.reason && (
+              <p>
+                <Said text={one.reason} />
+              </p>
+            )}
             <small>
               {said([one.piece && t.imports.pieceOf(one.piece), one.block && t.imports.blockOf(one.block), linesText(one.lines)])}
             </small>

@@ -19,6 +19,7 @@ import type { Loaded } from './AppState';
 import { stem } from './words';
 import { count as countOf } from '../texts/numbers';
 import { t } from '../texts/language';
+import { asRead } from '../texts/told';
 
 export type BodyChoice =
   | { kind: 'mannequin'; preset: string }
@@ -216,7 +217,8 @@ export function accountsOf(report: Import['report']): Accounts {
   const entities = shares.reduce((sum, share) => sum + share.count, 0);
   const { counts } = report;
   if (counts.records === undefined) {
-    const parts = Object.entries(counts).map(([name, count]) => `${countOf(count)} ${name}`);
+    const words: Readonly<Record<string, (n: number) => string>> = t.imports.ofSpecification;
+    const parts = Object.entries(counts).map(([name, count]) => words[name]?.(count) ?? `${countOf(count)} ${name}`);
     return { shares, entities, sum: parts.join(', '), whole: true };
   }
   const { records = 0, vertices = 0, structure = 0, elsewhere = 0 } = counts;
@@ -249,13 +251,13 @@ export const entitiesShown = (entities: readonly ImportedEntity[], filter: Repor
     (one) =>
       (filter.fate === '' || one.fate === filter.fate) &&
       (filter.piece === '' || one.piece === filter.piece) &&
-      has(filter.text, one.type, one.layer, one.block, one.reason, one.piece),
+      has(filter.text, one.type, one.layer, one.block, asRead(one.reason), one.piece),
   );
 
 export const warningsShown = (warnings: readonly ImportWarning[], filter: ReportFilter): ImportWarning[] =>
   warnings.filter(
     (one) =>
-      (filter.piece === '' || one.piece === filter.piece) && has(filter.text, one.text, one.piece, String(one.line)),
+      (filter.piece === '' || one.piece === filter.piece) && has(filter.text, asRead(one.text), one.piece, String(one.line)),
   );
 
 /** "lines 12, 48, 60 and 9 more". */

@@ -1,6 +1,6 @@
 // A message of the service: in the reader's language by its code, with the service's own English words small beside it.
 
-import { sentence, told } from './told';
+import { sentence, told, toldByForm } from './told';
 
 export function Told({ code, detail }: { code: string; detail: string }) {
   const { text, detail: own } = told(code, detail);
@@ -14,4 +14,10 @@ export function Told({ code, detail }: { code: string; detail: string }) {
       )}
     </>
   );
+}
+
+/** A sentence of the service that has no code: in the reader's language by its form, or as it is. */
+export function Said({ text }: { text: string }) {
+  const words = toldByForm(text);
+  return words === null ? <span lang="en">{sentence(text)}</span> : <>{sentence(words)}</>;
 }

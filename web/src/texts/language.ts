@@ -30,13 +30,17 @@ interface Fetchers {
   texts(): Promise<Texts>;
   codes(): Promise<Codes>;
   library(): Promise<Library>;
+  sentences(): Promise<Sentences>;
 }
+
+/** Words for sentences of the service that have no code, by their English form: what varies in it is `{}`, a figure `{#}`. */
+export type Sentences = Readonly<Record<string, string>>;
 
 type Library = Readonly<Record<string, FabricWords>>;
 
 const fetchers: Record<Language, Fetchers> = {
-  en: { texts: () => Promise.resolve(en), codes: async () => (await import('./en/codes')).codes, library: () => Promise.resolve({}) },
-  de: { texts: async () => (await import('./de')).de, codes: async () => (await import('./de/codes')).codes, library: async () => (await import('./de/library')).library },
+  en: { texts: () => Promise.resolve(en), codes: async () => (await import('./en/codes')).codes, library: () => Promise.resolve({}), sentences: () => Promise.resolve({}) },
+  de: { texts: async () => (await import('./de')).de, codes: async () => (await import('./de/codes')).codes, library: async () => (await import('./de/library')).library, sentences: async () => (await import('./de/sentences')).sentences },
 };
 
 const told = signal<Readonly<Record<string, string>>>({});
@@ -49,6 +53,10 @@ const cloths = signal<Library>({});
 /** Words for the library's fabrics, by their names there, where the service's own are of another language. */
 export const library: ReadonlySignal<Library> = cloths;
 
+const forms = signal<Sentences>({});
+
+export const sentences: ReadonlySignal<Sentences> = forms;
+
 /** The last one that was asked for: an earlier one that comes later does not count. */
 let wanted: Language = 'en';
 
@@ -58,7 +66,7 @@ export async function speak(next: Language): Promise<void> {
   const [texts, fabrics] = await Promise.all([fetchers[next].texts(), fetchers[next].library()]);
   if (wanted !== next) return;
   batch(() => {
-    if (next !== spoken.peek()) told.value = {};
+    if (next !== spoken.peek()) [told.value, forms.value] = [{}, {}];
     spoken.value = next;
     table.value = texts;
     cloths.value = fabrics;
@@ -66,11 +74,11 @@ export async function speak(next: Language): Promise<void> {
   if (typeof document !== 'undefined') document.documentElement.lang = next;
 }
 
-/** Fetches what the codes mean in the language that is spoken. */
+/** Fetches what codes and sentences without them mean in the language that is spoken. */
 export async function speakCodes(): Promise<void> {
   const of = spoken.value;
-  const codesOf = await fetchers[of].codes();
-  if (spoken.peek() === of) told.value = codesOf;
+  const [codesOf, formsOf] = await Promise.all([fetchers[of].codes(), fetchers[of].sentences()]);
+  if (spoken.peek() === of) batch(() => ([told.value, forms.value] = [codesOf, formsOf]));
 }
 
 /** What a person chose, which the browser keeps. */

@@ -95,6 +95,11 @@ export const imports: Texts['imports'] = {
   sure: 'sicher',
   likely: 'wahrscheinlich',
   records: (n, parts) => `${counted(n, 'Datensatz', 'Datensätze')}: ${parts}`,
+  ofSpecification: {
+    panels: (n) => counted(n, 'Schnittteil', 'Schnittteile'),
+    edges: (n) => counted(n, 'Kante', 'Kanten'),
+    stitches: (n) => counted(n, 'Naht', 'Nähte'),
+  },
   ofRecords: {
     entities: 'Elemente',
     vertices: 'Eckpunkte',

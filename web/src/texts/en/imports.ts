@@ -93,6 +93,11 @@ export const imports = {
   sure: 'sure',
   likely: 'likely',
   records: (n: number, parts: string) => `${counted(n, 'record', 'records')}: ${parts}`,
+  ofSpecification: {
+    panels: (n: number) => counted(n, 'panel', 'panels'),
+    edges: (n: number) => counted(n, 'edge', 'edges'),
+    stitches: (n: number) => counted(n, 'stitch', 'stitches'),
+  },
   ofRecords: {
     entities: 'entities',
     vertices: 'vertices',
