@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Fabric } from '../src/api/types';
-import { bendingLength, fabricsFound, fabricTitle, figuresOf, finishOf, giveOf, handOf, originOf, stiffness, weaveOf, wordsOf } from '../src/state/fabrics';
+import { bendingLength, fabricCard, fabricsFound, fabricTitle, figuresOf, finishOf, giveOf, handOf, originOf, ownFabrics, stiffness, weaveOf, wordsOf } from '../src/state/fabrics';
 import { library as german } from '../src/texts/de/library';
 import { speak } from '../src/texts/language';
 import { fabricOf } from './samples';
@@ -95,5 +95,33 @@ describe('the library in German', () => {
       expect(german[name]!.make).not.toBe('');
       expect(german[name]!.use.split(', ').length).toBe(use.split(', ').length);
     }
+  });
+});
+
+describe('a document’s own fabrics', () => {
+  const library = [fabricOf('single-jersey'), fabricOf('rib')];
+  const own = ownFabrics({
+    fabrics: [
+      { id: 'jersey', like: 'single-jersey', colour: [0, 0, 0] },
+      { id: 'rib', like: 'rib' },
+      { id: 'trim', like: 'rib', areal_mass_g_m2: 300 },
+      { id: 'main', name: 'Grey flannel', areal_mass_g_m2: 300 },
+      { id: 'x1', areal_mass_g_m2: 100 },
+    ],
+  });
+
+  it('are called by their name, or as the library calls what they are like; two alike are told apart by their ids', () => {
+    const titles = ['jersey', 'rib', 'trim', 'main', 'x1', 'nobody'].map((name) => fabricTitle(name, library, own));
+    expect(titles).toEqual(['Title of single-jersey', 'Title of rib (rib)', 'Title of rib, changed (trim)', 'Grey flannel', 'x1', 'nobody']);
+  });
+
+  it('have the library’s card where their figures are its own', () => {
+    expect(['jersey', 'rib', 'trim', 'main', 'single-jersey', 'x1'].map((name) => fabricCard(name, library, own)?.name)).toEqual([
+      'single-jersey', 'rib', undefined, undefined, 'single-jersey', undefined,
+    ]);
+  });
+
+  it('are none where a document has none', () => {
+    expect([ownFabrics(undefined), ownFabrics({}), ownFabrics({ fabrics: 'x' })]).toEqual([[], [], []]);
   });
 });

@@ -205,3 +205,37 @@ describe('pieces', () => {
     expect(sent[1]!.edits).toEqual([{ edit: 'straighten_edge', piece: 'a', edge: 'e0' }]);
   });
 });
+
+describe('the fabrics of a project', () => {
+  it('are asked for once, the library’s and its own', async () => {
+    const asked: string[] = [];
+    const { commands, state } = begin({
+      fabrics: async () => [],
+      project: async (id) => {
+        asked.push(id);
+        return projectOf({ id, document: { fabrics: [{ id: 'main', like: 'twill' }] } as never });
+      },
+    });
+    await Promise.all([commands.loadFabrics(), commands.loadFabrics()]);
+    await commands.loadFabrics();
+    expect(asked).toEqual(['p_1']);
+    expect(state.editing.ownFabrics.value).toEqual([{ id: 'main', name: '', like: 'twill', differs: false }]);
+    state.editing.clear();
+    expect(state.editing.ownFabrics.value).toEqual([]);
+  });
+
+  it('are asked for again where that failed', async () => {
+    let fails = true;
+    const { commands, state } = begin({
+      fabrics: async () => [],
+      project: async (id) => {
+        if (fails) throw new ApiError(0, 'net.unreachable', 'none');
+        return projectOf({ id, document: { fabrics: [{ id: 'main' }] } as never });
+      },
+    });
+    await commands.loadFabrics();
+    fails = false;
+    await commands.loadFabrics();
+    expect(state.editing.ownFabrics.value).toHaveLength(1);
+  });
+});

@@ -4,6 +4,7 @@ import type { Api } from '../api/Api';
 import type { Edit, Piece, Point } from '../api/types';
 import { loading, valueOf, type AppState } from '../state/AppState';
 import { freePieceId, kRestingTool, type EditingState, type Part, type ToolFacts } from '../state/editing';
+import { ownFabrics } from '../state/fabrics';
 import { bentHandles, isStraight, nextEdge } from '../state/outline';
 import { emptyDraft } from '../state/seamView';
 import { t } from '../texts/language';
@@ -11,9 +12,12 @@ import type { EditQueue } from './EditQueue';
 import { notify } from './notices';
 
 export class PatternCommands {
+  /** Of which project, cut of what, own fabrics were asked for. */
+  private ownAsked_ = '';
+
   constructor(
     private readonly state_: AppState,
-    private readonly api_: Pick<Api, 'fabrics'>,
+    private readonly api_: Pick<Api, 'fabrics' | 'project'>,
     private readonly edits_: Pick<EditQueue, 'send'>,
   ) {}
 
@@ -28,6 +32,7 @@ export class PatternCommands {
   /** Another project is shown: puts down everything that belonged to the last one. */
   projectChanged(): void {
     this.editing.clear();
+    this.ownAsked_ = '';
   }
 
   // ---- tools and what is selected
@@ -116,14 +121,32 @@ export class PatternCommands {
 
   // ---- pieces
 
-  /** The fabrics to choose from, asked for once. */
+  /** The fabrics to choose from, and those that the project describes itself; each asked for once. */
   async loadFabrics(): Promise<void> {
+    await Promise.all([this.loadLibrary(), this.loadOwnFabrics()]);
+  }
+
+  private async loadLibrary(): Promise<void> {
     const { fabrics } = this.editing;
     if (fabrics.value.length > 0) return;
     try {
       fabrics.value = await this.api_.fabrics();
     } catch {
       // The pieces keep theirs; the next look asks again.
+    }
+  }
+
+  /** Pieces name a document's fabrics by ids that say little. */
+  private async loadOwnFabrics(): Promise<void> {
+    const id = this.state_.projectId.value;
+    const asked = `${id} ${[...new Set(this.pieces.map(({ fabric }) => fabric))].join('\n')}`;
+    if (!id || this.pieces.length === 0 || asked === this.ownAsked_) return;
+    this.ownAsked_ = asked;
+    try {
+      const own = ownFabrics((await this.api_.project(id)).document);
+      if (this.state_.projectId.value === id) this.editing.ownFabrics.value = own;
+    } catch {
+      this.ownAsked_ = ''; // the next look asks again
     }
   }
 

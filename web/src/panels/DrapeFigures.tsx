@@ -3,6 +3,7 @@
 import type { Job } from '../api/types';
 import { valueOf, type Sample } from '../state/AppState';
 import { useAppState } from '../state/context';
+import { fabricTitle } from '../state/fabrics';
 import { isActive } from '../state/jobs';
 import { cssColour } from '../state/patternGeometry';
 import { versionOf } from '../state/versions';
@@ -134,7 +135,7 @@ function Parts() {
     <div class="parts">
       {fabrics.map((fabric) => (
         <div key={fabric}>
-          <h3>{fabric || t.fabric.fabric}</h3>
+          <h3>{fabricTitle(fabric, state.editing.fabrics.value, state.editing.ownFabrics.value) || t.fabric.fabric}</h3>
           <ul>
             {pieces.pieces
               .filter((piece) => piece.fabric === fabric)

@@ -5,17 +5,19 @@ import { useEffect, useId } from 'preact/hooks';
 import type { EditOf, Fabric, Piece } from '../api/types';
 import { useCommands } from '../commands/context';
 import { useAppState } from '../state/context';
-import { fabricTitle, fabricsFound, figuresOf, handOf, originOf, stiffness, wordsOf, type Kind } from '../state/fabrics';
+import { fabricCard, fabricTitle, fabricsFound, figuresOf, handOf, originOf, stiffness, wordsOf, type Kind } from '../state/fabrics';
 import { FabricSwatch } from './FabricSwatch';
 import { t } from '../texts/language';
 
 export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
   const { edits, pattern } = useCommands();
-  const { fabrics } = useAppState().editing;
+  const { editing } = useAppState();
   const isOpen = useSignal(false);
   useEffect(() => void pattern.loadFabrics(), [pattern]);
   const names = [...new Set(pieces.map((piece) => piece.fabric))];
-  const known = names.length === 1 ? fabrics.value.find((fabric) => fabric.name === names[0]) : undefined;
+  const [fabrics, own] = [editing.fabrics.value, editing.ownFabrics.value];
+  const titles = names.map((name) => fabricTitle(name, fabrics, own));
+  const known = names.length === 1 ? fabricCard(names[0]!, fabrics, own) : null;
   const whose = pieces.length === 1 ? t.fabric.fabric : t.fabric.fabricOfAll;
   const choose = (fabric: string): void => {
     isOpen.value = false;
@@ -29,12 +31,12 @@ export function FabricField({ pieces }: { pieces: readonly Piece[] }) {
         {names.length > 1 && <span class="head-note">{t.fabric.differ}</span>}
       </h3>
       <div class="fabric-now">
-        {known ? <Card fabric={known} /> : <p class="fabric-own">{names.map((name) => fabricTitle(name, fabrics.value)).join(', ') || t.common.nothing}</p>}
+        {known ? <Card fabric={known} title={titles[0]} /> : <p class="fabric-own">{titles.join(', ') || t.common.nothing}</p>}
         <button class="plain" aria-expanded={isOpen.value} onClick={() => (isOpen.value = !isOpen.value)}>
           {isOpen.value ? t.fabric.keep : t.fabric.change}
         </button>
       </div>
-      {isOpen.value && <Library fabrics={fabrics.value} now={known?.name ?? ''} choose={choose} />}
+      {isOpen.value && <Library fabrics={fabrics} now={known?.name ?? ''} choose={choose} />}
       {!isOpen.value && known && <Figures fabric={known} />}
     </section>
   );
@@ -45,8 +47,8 @@ const cutOf = (pieces: readonly Piece[], fabric: string): EditOf<'set_fabric'>[]
   pieces.filter((piece) => piece.fabric !== fabric).map(({ id }) => ({ edit: 'set_fabric', piece: id, fabric }));
 
 /** Snippet, name and what it is. */
-function Card({ fabric }: { fabric: Fabric }) {
-  const { title, make } = wordsOf(fabric);
+function Card({ fabric, title = wordsOf(fabric).title }: { fabric: Fabric; title?: string }) {
+  const { make } = wordsOf(fabric);
   return (
     <span class="fabric-card">
       <FabricSwatch fabric={fabric} />

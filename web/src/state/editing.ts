@@ -5,6 +5,7 @@ import { signal, type Signal } from '@preact/signals';
 import type { Asset, Edit, EditStep, Fabric, Piece, PieceEdge, Point, SeamProposal, SeamSides } from '../api/types';
 import type { ApiError } from '../api/http';
 import type { Loaded } from './AppState';
+import type { OwnFabric } from './fabrics';
 import { jointsOf } from './outline';
 import { PerProject } from './PerProject';
 import { seriesOf, withSeries, type LoopPlace, type RangeDraft } from './seamRange';
@@ -59,6 +60,8 @@ export class EditingState extends PerProject {
   readonly images: Signal<Asset[]> = signal([]);
   /** The library; empty until it was asked for. */
   readonly fabrics: Signal<Fabric[]> = signal([]);
+  /** Those that the project's document describes itself. */
+  readonly ownFabrics: Signal<readonly OwnFabric[]> = this.perProject<readonly OwnFabric[]>([]);
   readonly uploading: Signal<boolean> = signal(false);
   readonly proposals: Signal<Loaded<SeamProposal[]> | null> = this.perProject(null);
   readonly chosen: Signal<ReadonlySet<string>> = signal(new Set());

@@ -3,6 +3,7 @@
 import type { Fabric, Piece } from '../api/types';
 import { fixed, plain } from '../texts/numbers';
 import { library, t, type FabricWords } from '../texts/language';
+import { isObject, listOf } from './documents';
 
 const kGravity = 9.81;
 /** N/m, at which the tensile test of the KES ends: firmly pulled. */
@@ -123,10 +124,51 @@ export function originOf({ sources }: Fabric): string {
   return measured === sources.length ? t.fabric.published : t.fabric.mixed;
 }
 
-/** A document's own fabrics have no card, and are called by their name there. */
-export function fabricTitle(name: string, fabrics: readonly Fabric[]): string {
+/** A fabric that a document describes itself. */
+export interface OwnFabric {
+  id: string;
+  /** What people call it; empty: nothing but its id. */
+  name: string;
+  /** The fabric of the library that it begins with; empty: none. */
+  like: string;
+  /** It has figures of its own. */
+  differs: boolean;
+}
+
+const kNoFigures: ReadonlySet<string> = new Set(['id', 'name', 'like', 'colour']);
+
+/** Those of a project's document. */
+export function ownFabrics(document: unknown): OwnFabric[] {
+  return listOf(isObject(document) ? document.fabrics : null).map((fabric) => ({
+    id: String(fabric.id),
+    name: typeof fabric.name === 'string' ? fabric.name : '',
+    like: typeof fabric.like === 'string' ? fabric.like : '',
+    differs: Object.keys(fabric).some((key) => !kNoFigures.has(key)),
+  }));
+}
+
+/** The library's fabric whose figures one of this name has; null: it has its own. */
+export function fabricCard(name: string, fabrics: readonly Fabric[], own: readonly OwnFabric[]): Fabric | null {
+  const told = own.find((one) => one.id === name);
+  if (told?.differs) return null;
+  return fabrics.find((one) => one.name === (told?.like || name)) ?? null;
+}
+
+/** What a document's own fabric is called: by its own name, or by the library's fabric that it is like; else by its id. */
+export function fabricTitle(name: string, fabrics: readonly Fabric[], own: readonly OwnFabric[] = []): string {
+  const told = own.find((one) => one.id === name);
+  if (!told) return titleOf(name, fabrics) ?? name;
+  if (told.name) return told.name;
+  const like = titleOf(told.like, fabrics);
+  if (!like) return name;
+  const title = told.differs ? t.fabric.changedFrom(like) : like;
+  const isShared = own.some((one) => one.id !== name && one.like === told.like);
+  return isShared ? `${title} (${name})` : title;
+}
+
+function titleOf(name: string, fabrics: readonly Fabric[]): string | null {
   const known = fabrics.find((one) => one.name === name);
-  return known ? wordsOf(known).title : name;
+  return known ? wordsOf(known).title : null;
 }
 
 export type Kind = 'all' | 'woven' | 'knit' | 'other';

@@ -16,6 +16,7 @@ import type {
 } from '../api/types';
 import type { GivenFile, LoosePattern } from './intake';
 import type { Loaded } from './AppState';
+import { isObject, listOf } from './documents';
 import { stem } from './words';
 import { count as countOf } from '../texts/numbers';
 import { t } from '../texts/language';
@@ -63,10 +64,6 @@ export interface PreviewProps {
   lit: string | null;
   onLight(seam: string | null): void;
 }
-
-const isObject = (value: unknown): value is Record<string, unknown> =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
-const listOf = (value: unknown): Record<string, unknown>[] => (Array.isArray(value) ? value.filter(isObject) : []);
 
 /** For each piece of the document, in order, the piece of the file that it comes from. */
 export function sourceNames(report: Import): Map<string, string> {

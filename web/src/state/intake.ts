@@ -3,6 +3,7 @@
 
 import { hasEnding, kPictureEndings } from '../api/formats';
 import { t } from '../texts/language';
+import { isObject, listOf } from './documents';
 
 export interface GivenFile {
   /** Name without folders. */
@@ -51,10 +52,6 @@ const isMesh = (name: string, endings: readonly string[] | null): boolean =>
   endings ? hasEnding(name, endings) : !isDxf(name) && !isJson(name) && !isPicture(name);
 const baseName = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 const sameName = (a: string, b: string): boolean => baseName(a).toLowerCase() === baseName(b).toLowerCase();
-
-const isObject = (value: unknown): value is Record<string, unknown> =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
-const listOf = (value: unknown): Record<string, unknown>[] => (Array.isArray(value) ? value.filter(isObject) : []);
 
 /** The files that a project document names, each once, in the order of their first mention. */
 export function filesNamedBy(document: Record<string, unknown>): { name: string; kind: 'dxf' | 'body' | 'image' }[] {

@@ -392,6 +392,17 @@ describe('the fabric of pieces', () => {
     expect(screen.getByText('Bending length').nextSibling!.textContent).toBe('26 / 25 mm');
   });
 
+  it('of the document’s own is called as the library calls what it is like, with that one’s card', () => {
+    page.change((state) => {
+      state.editing.fabrics.value = library;
+      state.editing.ownFabrics.value = [{ id: 'main', name: '', like: 'twill', differs: false }];
+    });
+    page.show(<FabricField pieces={two().pieces.map((piece) => ({ ...piece, fabric: 'main' }))} />);
+    expect(document.querySelector('.fabric-card b')!.textContent).toBe('Title of twill');
+    page.change((state) => (state.editing.ownFabrics.value = [{ id: 'main', name: '', like: 'twill', differs: true }]));
+    expect(document.querySelector('.fabric-own')!.textContent).toBe('Title of twill, changed');
+  });
+
   it('is seen as a snippet in its colour, with light threads on dark cloth', () => {
     const threads = (colour: [number, number, number]): string | null => {
       page.show(<FabricSwatch fabric={fabricOf('twill', { colour })} />);

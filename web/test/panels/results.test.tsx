@@ -17,7 +17,7 @@ import { SolverField } from '../../src/panels/SolverField';
 import { ready } from '../../src/state/AppState';
 import type { Compared } from '../../src/state/comparison';
 import { jobOf, projectOf, seamOf, squareOf } from '../fakes';
-import { reportOf } from '../samples';
+import { fabricOf, reportOf } from '../samples';
 
 const resultUrl = (job: string, name: string): string => `/results/${job}/${name}`;
 
@@ -220,10 +220,15 @@ describe('a drape under way', () => {
   });
 
   it('lists the pieces under their fabrics; a click selects, and lets go again', () => {
-    const pieces = [squareOf('a', 0, 0, 10), { ...squareOf('b', 0, 0, 10), fabric: '' }];
-    page.change((state) => (state.pieces.value = ready({ pieces, seams: [] })));
+    const pieces = ['twill', 'own', 'f', ''].map((fabric, i) => ({ ...squareOf('abcd'[i]!, 0, 0, 10), fabric }));
+    page.change((state) => {
+      state.pieces.value = ready({ pieces, seams: [] });
+      state.editing.fabrics.value = [fabricOf('twill'), fabricOf('rib')];
+      state.editing.ownFabrics.value = [{ id: 'own', name: '', like: 'rib', differs: false }];
+    });
     page.show(<DrapeFigures />);
-    expect(screen.getAllByRole('heading').map((one) => one.textContent)).toEqual(['How it is draped', 'f', 'Fabric']);
+    const titles = ['How it is draped', 'Title of twill', 'Title of rib', 'f', 'Fabric'];
+    expect(screen.getAllByRole('heading').map((one) => one.textContent)).toEqual(titles);
     const a = screen.getByRole('button', { name: 'a' });
     click(a);
     expect(page.state.selected.value).toBe('a');

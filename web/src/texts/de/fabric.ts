@@ -43,6 +43,7 @@ export const fabric: Texts['fabric'] = {
   estimated: 'Alle Werte sind nach ähnlichen Stoffen geschätzt.',
   published: 'Alle Werte sind veröffentlicht.',
   mixed: 'Einige Werte sind veröffentlicht, andere geschätzt.',
+  changedFrom: (title) => `${title}, abgewandelt`,
   hands: {
     flows: 'fließt',
     soft: 'weich',

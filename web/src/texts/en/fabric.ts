@@ -41,6 +41,7 @@ export const fabric = {
   estimated: 'All figures are estimated from cloth of its kind.',
   published: 'All figures are published.',
   mixed: 'Some figures are published, others estimated.',
+  changedFrom: (title: string) => `${title}, changed`,
   hands: {
     flows: 'flows',
     soft: 'soft',
