@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { decodeBody } from '../src/api/body';
 import { clothFromObj } from '../src/api/objCloth';
 import { nameThatFits } from '../src/pattern/PieceShape';
+import { tagAt } from '../src/pattern/PieceTags';
 import { fit, panned, zoomed } from '../src/pattern/Viewport';
 import { boundsOf, footprints, poseFor } from '../src/scene/framing';
 import { rimEdges, seamEdges, shareNormals, vertexNormals, verticesAlong, weldGroups, widestGap } from '../src/scene/surface';
@@ -104,6 +105,14 @@ describe('flat pieces', () => {
     expect(nameThatFits('sleeve', 60)).toBe('sleeve');
     expect(nameThatFits('left_sleeve_back', 70)).toBe('left_slee…');
     expect(nameThatFits('left_sleeve_back', 20)).toBe('');
+  });
+
+  it('have their name above them where it is told aside, else below, and within what is seen', () => {
+    const seen = { minX: 0, minY: 0, maxX: 100, maxY: 100 };
+    const at = (minX: number, minY: number) => tagAt({ minX, minY, maxX: minX + 10, maxY: minY + 10 }, 40, seen, 2);
+    expect(at(45, 45)).toEqual([50, 63]);
+    expect(at(45, 85)).toEqual([50, 77]);
+    expect([at(0, 45)[0], at(90, 45)[0]]).toEqual([20, 80]);
   });
 
   it('give the part of a line between two fractions of its length', () => {

@@ -81,11 +81,42 @@ function Again() {
   );
 }
 
+interface Tab {
+  page: Page;
+  title: string;
+}
+
+function Tabs({ pages, page }: { pages: readonly Tab[] } & PageSlot) {
+  const turn = (event: KeyboardEvent): void => {
+    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+    const step = event.key === 'ArrowRight' ? 1 : pages.length - 1;
+    page.value = pages[(pages.findIndex((one) => one.page === page.value) + step) % pages.length]!.page;
+    document.getElementById(`import-${page.value}`)?.focus();
+  };
+  return (
+    <div class="tabs" role="tablist" aria-label={t.imports.holds} onKeyDown={turn}>
+      {pages.map((one) => (
+        <button
+          key={one.page}
+          role="tab"
+          id={`import-${one.page}`}
+          aria-selected={page.value === one.page}
+          tabIndex={page.value === one.page ? 0 : -1}
+          onClick={() => (page.value = one.page)}
+        >
+          {one.title}
+        </button>
+      ))}
+    </div>
+  );
+}
+
 function Read({ draft, report, page, Preview }: { draft: ImportDraft; report: Import } & PageSlot & PreviewSlot) {
   const lit = useSignal<string | null>(null);
+  const piece = useSignal<string | null>(null);
   const seams = seamsInReach(report, draft.left);
   const chosen = seams.filter((seam) => draft.chosen.has(seam.id)).length;
-  const pages: { page: Page; title: string }[] = [
+  const pages: Tab[] = [
     { page: 'pieces', title: t.imports.pieceTab(report.pieces.length - draft.left.size) },
     ...(report.layers.length > 0
       ? [{ page: 'layers' as const, title: t.imports.layers.tab(report.layers.length) }]
@@ -97,35 +128,23 @@ function Read({ draft, report, page, Preview }: { draft: ImportDraft; report: Im
         report.report.warnings.length > 0 ? t.imports.reportWarnings(report.report.warnings.length) : t.imports.reportTab,
     },
   ];
-  const turn = (event: KeyboardEvent): void => {
-    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
-    const step = event.key === 'ArrowRight' ? 1 : pages.length - 1;
-    page.value = pages[(pages.findIndex((one) => one.page === page.value) + step) % pages.length]!.page;
-    document.getElementById(`import-${page.value}`)?.focus();
-  };
   return (
     <div class={`import${draft.rereading ? ' rereading' : ''}`} aria-busy={draft.rereading}>
-      <Preview draft={draft} report={report} lit={lit.value} onLight={(seam) => (lit.value = seam)} />
+      <Preview
+        draft={draft}
+        report={report}
+        lit={lit.value}
+        onLight={(seam) => (lit.value = seam)}
+        piece={piece.value}
+        onPiece={(name) => (piece.value = name)}
+      />
       <div class="import-side">
-        <div class="tabs" role="tablist" aria-label={t.imports.holds} onKeyDown={turn}>
-          {pages.map((one) => (
-            <button
-              key={one.page}
-              role="tab"
-              id={`import-${one.page}`}
-              aria-selected={page.value === one.page}
-              tabIndex={page.value === one.page ? 0 : -1}
-              onClick={() => (page.value = one.page)}
-            >
-              {one.title}
-            </button>
-          ))}
-        </div>
+        <Tabs pages={pages} page={page} />
         <div class="import-page" role="tabpanel" aria-labelledby={`import-${page.value}`} tabIndex={0}>
           {page.value === 'pieces' && (
             <>
               <UnitAndSize draft={draft} report={report} />
-              <PieceRows draft={draft} report={report} />
+              <PieceRows draft={draft} report={report} lit={piece} />
             </>
           )}
           {page.value === 'layers' && <ImportLayers draft={draft} layers={report.layers} />}
@@ -217,12 +236,19 @@ function UnitDoubt({ own, largest_mm, largest_own_mm }: NonNullable<Import['unit
   );
 }
 
-function PieceRows({ draft, report }: { draft: ImportDraft; report: Import }) {
+function PieceRows({ draft, report, lit }: { draft: ImportDraft; report: Import; lit: Signal<string | null> }) {
   const { imports } = useCommands();
   return (
     <ul class="import-pieces" aria-label={t.common.pieces}>
       {report.pieces.map((piece, i) => (
-        <li key={`${piece.name} ${i}`} class={piece.fault ? 'faulty' : ''}>
+        <li
+          key={`${piece.name} ${i}`}
+          class={`${piece.fault ? 'faulty' : ''}${lit.value === piece.name ? ' lit' : ''}`}
+          onPointerEnter={() => (lit.value = piece.name)}
+          onPointerLeave={() => (lit.value = null)}
+          onFocusIn={() => (lit.value = piece.name)}
+          onFocusOut={() => (lit.value = null)}
+        >
           <label>
             <input
               type="checkbox"

@@ -1,13 +1,13 @@
 // The pieces of a file as they will be, with the seams that are ticked.
 
-import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import type { Import, Piece } from '../api/types';
 import { useCommands } from '../commands/context';
 import { PieceShape } from './PieceShape';
+import { PieceTags } from './PieceTags';
 import { SeamShapes, Threads, type ShownSeam } from './SeamShapes';
 import { useSizeOf } from './useSizeOf';
-import { fit, roomWithin, viewBox, type Rim } from './Viewport';
+import { fit, roomWithin, seenBox, viewBox, type Rim } from './Viewport';
 import { piecesDrawn, seamsInReach, sourceNames, type ImportDraft, type PreviewProps } from '../state/importDraft';
 import { layOut, type PlacedPiece } from '../state/layout';
 import { joined } from '../state/patternGeometry';
@@ -15,6 +15,7 @@ import { seamParts } from '../state/seamView';
 import { t } from '../texts/language';
 
 const kRim: Rim = { side: 20, top: 20, bottom: 20 };
+const kNoRim: Rim = { side: 2, top: 2, bottom: 2 };
 
 /** The ticked seams and the lit one. */
 function seamsShown(draft: ImportDraft, report: Import, lit: string | null, pictures: readonly Piece[]): ShownSeam[] {
@@ -27,7 +28,7 @@ function seamsShown(draft: ImportDraft, report: Import, lit: string | null, pict
     }));
 }
 
-export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
+export function ImportPreview({ draft, report, lit, onLight, piece, onPiece }: PreviewProps) {
   const svg = useRef<SVGSVGElement>(null);
   const view = useSizeOf(svg, { width: 600, height: 500 }).value;
   const placed = layOut(piecesDrawn(report), roomWithin(view, kRim));
@@ -43,6 +44,7 @@ export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
   const port = fit(joined(placed.map((one) => one.box)), view, kRim);
   const pictures = placed.map((one) => one.piece);
   const seams = seamsShown(draft, report, lit, pictures);
+  const told = pictures.flatMap(({ id }) => ((sources.get(id) ?? id) === piece ? [id] : []));
   const shown = seams.find((one) => one.seam.id === lit);
   return (
     <div class="import-preview">
@@ -60,6 +62,8 @@ export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
             source={sources.get(one.piece.id) ?? one.piece.id}
             draft={draft}
             scale={port.scale}
+            lit={piece}
+            onLight={onPiece}
           >
             <SeamShapes
               shown={seams}
@@ -72,6 +76,7 @@ export function ImportPreview({ draft, report, lit, onLight }: PreviewProps) {
           </FilePiece>
         ))}
         {shown && <Threads shown={shown} placed={placed} scale={port.scale} />}
+        <PieceTags placed={placed} told={told} scale={port.scale} seen={seenBox(port, view, kNoRim)} />
       </svg>
     </div>
   );
@@ -83,13 +88,15 @@ interface FilePieceProps {
   source: string;
   draft: ImportDraft;
   scale: number;
+  /** The piece of the file that is pointed at. */
+  lit: string | null;
+  onLight(piece: string | null): void;
   children: preact.ComponentChildren;
 }
 
 /** A piece of the file: a click leaves it out, or takes it in again. */
-function FilePiece({ placed, source, draft, scale, children }: FilePieceProps) {
+function FilePiece({ placed, source, draft, scale, lit, onLight, children }: FilePieceProps) {
   const { imports } = useCommands();
-  const hovered = useSignal(false);
   const out = draft.left.has(source);
   const turn = (): void => imports.takePiece(source, out);
   return (
@@ -98,9 +105,9 @@ function FilePiece({ placed, source, draft, scale, children }: FilePieceProps) {
         placed={placed}
         scale={scale}
         selected={false}
-        hovered={hovered.value}
+        hovered={lit === source}
         onSelect={turn}
-        onHover={(on) => (hovered.value = on)}
+        onHover={(on) => onLight(on ? source : null)}
       >
         {children}
       </PieceShape>

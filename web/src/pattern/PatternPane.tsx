@@ -13,6 +13,7 @@ import { toolOf } from '../tools/table';
 import type { Held, PatternTool } from '../tools/PatternTool';
 import { PatternNote } from './PatternNote';
 import { PatternTools } from './PatternTools';
+import { PieceTags } from './PieceTags';
 import { PlacedPieceView } from './PlacedPieceView';
 import { kDraftSeam, Threads, type ShownSeam } from './SeamShapes';
 import { RangeMarks } from './RangeMarks';
@@ -120,6 +121,7 @@ interface SheetProps {
 
 /** The paper with everything that lies on it. */
 function Sheet({ pieces, places, tool, plane, hands, seams }: SheetProps) {
+  const state = useAppState();
   const { scale } = plane.view.value;
   return (
     <svg
@@ -149,6 +151,7 @@ function Sheet({ pieces, places, tool, plane, hands, seams }: SheetProps) {
       ))}
       {seams.lit && <Threads shown={seams.lit} placed={places} scale={scale} />}
       <Guides held={hands.held} placed={places} />
+      <PieceTags placed={places} told={[state.selected.value, state.hovered.value]} scale={scale} seen={plane.seen} />
       <RangeMarks placed={places} scale={scale} colour={pieces.seams.length} />
     </svg>
   );

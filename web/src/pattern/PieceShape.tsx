@@ -33,7 +33,7 @@ const kSizePx = 120;
 /** About the width of a letter of the name, and of one that is a capital. */
 const kLetterPx = 7;
 const kCapitalPx = 8.5;
-const widthOfName = (name: string): number =>
+export const widthOfName = (name: string): number =>
   [...name].reduce((sum, letter) => sum + (letter === letter.toLowerCase() ? kLetterPx : kCapitalPx), 0);
 /** So many letters of a name that is cut off still tell it. */
 const kTelling = 7;
@@ -55,7 +55,7 @@ export function PieceShape(props: PieceShapeProps) {
     event.stopPropagation();
     onSelect();
   };
-  const size = sizeText(boxOf(piece.outline));
+  const size = sizeText(piece);
   const outline = piecePath(piece);
   return (
     <g
@@ -95,7 +95,18 @@ export function PieceShape(props: PieceShapeProps) {
   );
 }
 
-const sizeText = (box: Box): string => `${patternFigure(box.maxX - box.minX, 0)} × ${patternLength(box.maxY - box.minY, 0)}`;
+export function sizeText({ outline }: Piece): string {
+  const box = boxOf(outline);
+  return `${patternFigure(box.maxX - box.minX, 0)} × ${patternLength(box.maxY - box.minY, 0)}`;
+}
+
+/** As much of its name as is written on a piece. */
+export function nameOn(placed: PlacedPiece, scale: number): string {
+  const { piece } = placed;
+  const box = boxOf(piece.outline);
+  if (Math.min(box.maxX - box.minX, 2.2 * (box.maxY - box.minY)) * scale <= kNamePx) return '';
+  return nameThatFits(piece.id, spanAt(piece.outline, labelAt(placed)) * scale - 6);
+}
 
 /** The grain's arrow, the name and the size, as far as there is room for them. */
 function Label({ placed, scale }: { placed: PlacedPiece; scale: number }) {
@@ -104,7 +115,7 @@ function Label({ placed, scale }: { placed: PlacedPiece; scale: number }) {
   const across = (box.maxX - box.minX) * scale;
   const down = (box.maxY - box.minY) * scale;
   const at = labelAt(placed);
-  const name = Math.min(across, down * 2.2) > kNamePx ? nameThatFits(piece.id, spanAt(piece.outline, at) * scale - 6) : '';
+  const name = nameOn(placed, scale);
   return (
     <>
       {piece.grain && Math.min(across, down) > kNamePx && (
@@ -117,7 +128,7 @@ function Label({ placed, scale }: { placed: PlacedPiece; scale: number }) {
       )}
       {across > kSizePx && down > kSizePx && (
         <text class="piece-size" x={at[0]} y={-at[1]} font-size={10.5 / scale} dy="1.15em">
-          {sizeText(box)}
+          {sizeText(piece)}
         </text>
       )}
     </>

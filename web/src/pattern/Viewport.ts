@@ -38,6 +38,12 @@ export function fit(box: Box, view: Room, rim: Rim): Viewport {
   return { x: (box.minX + box.maxX) / 2, y: -(box.minY + box.maxY) / 2 - (top - bottom) / 2 / scale, scale };
 }
 
+/** What is seen within the rim, y up. */
+export function seenBox({ x, y, scale }: Viewport, { width, height }: Room, { side, top, bottom }: Rim): Box {
+  const [half, high] = [width / 2 - side, height / 2];
+  return { minX: x - half / scale, maxX: x + half / scale, minY: -y - (high - bottom) / scale, maxY: -y + (high - top) / scale };
+}
+
 export const panned = (view: Viewport, dxPx: number, dyPx: number): Viewport => ({
   ...view,
   x: view.x - dxPx / view.scale,

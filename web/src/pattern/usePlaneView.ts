@@ -6,7 +6,7 @@ import type { Point } from '../api/types';
 import type { Room } from '../state/packing';
 import { joined, type Box } from '../state/patternGeometry';
 import { useSizeOf } from './useSizeOf';
-import { fit, panned, viewBox, zoomed, type Rim, type Viewport } from './Viewport';
+import { fit, panned, seenBox, viewBox, zoomed, type Rim, type Viewport } from './Viewport';
 
 const kWheelStep = 1.0015;
 /** Clear of the tools above, of the buttons and two lines of the note below, as styles/pattern.css has them. */
@@ -43,6 +43,8 @@ export interface PlaneView {
   svg: PlaneFrame['svg'];
   view: Signal<Viewport>;
   viewBox: string;
+  /** What is seen of the plane beside the tools, y up. */
+  seen: Box;
   move(next: Viewport): void;
   zoom(factor: number): void;
   fitAll(): void;
@@ -83,6 +85,7 @@ export function usePlaneView({ svg, size, rim }: PlaneFrame, boxes: () => readon
     svg,
     view,
     viewBox: viewBox(view.value, size.value.width, size.value.height),
+    seen: seenBox(view.value, size.value, rim.value),
     move,
     zoom,
     fitAll,

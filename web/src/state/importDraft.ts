@@ -63,6 +63,9 @@ export interface PreviewProps {
   /** The seam that is pointed at. */
   lit: string | null;
   onLight(seam: string | null): void;
+  /** The piece that is pointed at, by its name in the file. */
+  piece: string | null;
+  onPiece(piece: string | null): void;
 }
 
 /** For each piece of the document, in order, the piece of the file that it comes from. */

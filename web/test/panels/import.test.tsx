@@ -337,7 +337,7 @@ describe('the report of a file', () => {
 
 describe('the preview of a file', () => {
   it('draws its pieces, both of a pair; a click leaves one with its other half out or takes it in again', () => {
-    page.show(<ImportPreview draft={draftOf()} report={importOf()} lit={null} onLight={() => undefined} />);
+    page.show(<ImportPreview draft={draftOf()} report={importOf()} lit={null} onLight={() => undefined} piece={null} onPiece={() => undefined} />);
     const preview = screen.getByRole('group', { name: 'Preview of 4 pieces' });
     fireEvent.click(within(preview).getByRole('button', { name: /Piece front/ }));
     fireEvent.click(within(preview).getByRole('button', { name: /Piece sleeve_mirrored/ }));
@@ -349,9 +349,23 @@ describe('the preview of a file', () => {
     ]);
   });
 
+  it('tells the piece that is pointed at in the list, both halves of a pair, and the other way about', () => {
+    page.show(<ImportPanel draft={draftOf()} Preview={ImportPreview} />);
+    const row = (name: string): Element => screen.getByRole('checkbox', { name: new RegExp(`^${name}`) }).closest('li')!;
+    const lit = (): (string | null)[] => [...document.querySelectorAll('.piece.hovered')].map((piece) => piece.getAttribute('data-piece'));
+    expect(lit()).toEqual([]);
+    fireEvent.pointerEnter(row('sleeve'));
+    expect(lit()).toEqual(['sleeve', 'sleeve_mirrored']);
+    fireEvent.pointerLeave(row('sleeve'));
+    expect(lit()).toEqual([]);
+    fireEvent.pointerEnter(document.querySelector('[data-piece=front]')!);
+    expect(row('front').classList).toContain('lit');
+    expect(row('sleeve').classList).not.toContain('lit');
+  });
+
   it('says that nothing can be cut', () => {
     const report = importOf({ pieces: [importedPiece('torn', { points: [] })] });
-    page.show(<ImportPreview draft={draftOf()} report={report} lit={null} onLight={() => undefined} />);
+    page.show(<ImportPreview draft={draftOf()} report={report} lit={null} onLight={() => undefined} piece={null} onPiece={() => undefined} />);
     expect(screen.getByText('No piece of this file can be cut.')).toBeTruthy();
   });
 });

@@ -93,6 +93,21 @@ describe('the 2D view', () => {
     expect(screen.getByRole('alert').textContent).toContain('The file ends early.dxf.truncated · line 3');
   });
 
+  it('tells name and size of a piece that is pointed at or selected where they do not stand on it', () => {
+    page.change((state) => {
+      const small = squareOf('under_collar', 300, 0, 4);
+      state.pieces.value = ready({ pieces: [squareOf('a', 0, 0, 100), squareOf('b', 150, 0, 4), small], seams: [] });
+    });
+    page.show(<PatternPane />);
+    const tags = (): string[] => [...document.querySelectorAll('.piece-tag')].map((tag) => tag.textContent);
+    page.change((state) => (state.hovered.value = 'a'));
+    expect(tags()).toEqual([]);
+    page.change((state) => (state.hovered.value = 'b'));
+    expect(tags()).toEqual(['b 4 × 4 mm']);
+    page.change((state) => (state.selected.value = 'under_collar'));
+    expect(tags()).toEqual(['b 4 × 4 mm', 'under_collar 4 × 4 mm']);
+  });
+
   it('has a button for each tool, and for what was done last', () => {
     open();
     const tools = within(screen.getByRole('toolbar', { name: 'Pattern tools' }));
