@@ -4,12 +4,14 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  GreaterDepth,
   LineBasicMaterial,
   LineSegments,
   Points,
   PointsMaterial,
   type Color,
   type Group,
+  type Material,
 } from 'three';
 import type { ClothTopology, TopologyPiece } from '../api/frames';
 import type { SeamPart } from '../state/seamView';
@@ -17,6 +19,8 @@ import { allEdges, rimEdges, seamEdges, verticesAlong } from './surface';
 
 /** Sewn pairs further apart than this still have their threads drawn, m. */
 const kThreadGap = 0.0015;
+/** How much is seen of a line that lies behind something. */
+const kFaint = 0.16;
 
 /** What there is once a topology is known. */
 interface Drawn {
@@ -26,7 +30,25 @@ interface Drawn {
   threads: LineSegments;
   wires: LineSegments;
   rimOfPiece: LineSegments;
+  /** What lies behind body or cloth is faint. */
+  rimBehind: LineSegments;
   litSeam: Points;
+  litBehind: Points;
+}
+
+/** m, towards the eye: what is drawn upon cloth is not to be hidden by that cloth, only by what lies before it. */
+const kNearer = 0.012;
+
+/** Seen where it lies, in front of what is no nearer than that; or, behind, only where it is hidden. */
+function upon<M extends Material>(material: M, behind: boolean): M {
+  material.transparent = true;
+  material.depthWrite = false;
+  if (behind) [material.depthFunc, material.opacity] = [GreaterDepth, kFaint];
+  material.onBeforeCompile = (shader) => {
+    const nearer = `gl_Position = projectionMatrix * vec4(mvPosition.xyz * (1.0 - ${kNearer} / length(mvPosition.xyz)), 1.0);`;
+    shader.vertexShader = shader.vertexShader.replace('#include <project_vertex>', `#include <project_vertex>\n${nearer}`);
+  };
+  return material;
 }
 
 export class ClothLines {
@@ -37,8 +59,8 @@ export class ClothLines {
   private readonly seamMaterial_ = new LineBasicMaterial({ color: 0x585858, vertexColors: true, transparent: true, opacity: 0.45 });
   private readonly wireMaterial_ = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.22 });
   private readonly threadMaterial_: LineBasicMaterial;
-  private readonly rimMaterial_: LineBasicMaterial;
-  private readonly litMaterial_: PointsMaterial;
+  private readonly rimMaterials_: readonly LineBasicMaterial[];
+  private readonly litMaterials_: readonly PointsMaterial[];
 
   constructor(
     private readonly group_: Group,
@@ -46,22 +68,26 @@ export class ClothLines {
     selected: Color,
   ) {
     this.threadMaterial_ = new LineBasicMaterial({ color: thread_, transparent: true, opacity: 0.9 });
-    this.rimMaterial_ = new LineBasicMaterial({ color: selected, depthTest: false, transparent: true });
-    this.litMaterial_ = new PointsMaterial({ color: selected, size: 6, sizeAttenuation: false, depthTest: false });
+    this.rimMaterials_ = [false, true].map((behind) => upon(new LineBasicMaterial({ color: selected }), behind));
+    this.litMaterials_ = [false, true].map((behind) => upon(new PointsMaterial({ color: selected, size: 6, sizeAttenuation: false }), behind));
   }
 
   /** Draws lines upon this surface, until it is cleared. */
   set(topology: ClothTopology, surface: BufferGeometry): void {
     const { vertexCount, triangles, sewn } = topology;
     const rim = rimEdges(triangles, vertexCount);
+    const [rimMaterial, rimBehind] = this.rimMaterials_;
+    const [litMaterial, litBehind] = this.litMaterials_;
     this.drawn_ = {
       topology,
       rim,
       seams: this.addLines(surface, seamEdges(rim, sewn), this.seamMaterial_, 1),
       threads: this.addLines(surface, sewn, this.threadMaterial_, 2),
       wires: this.addLines(surface, allEdges(triangles, vertexCount), this.wireMaterial_, 1),
-      rimOfPiece: this.addLines(surface, new Uint32Array(0), this.rimMaterial_, 3),
-      litSeam: this.addLitSeam(surface),
+      rimOfPiece: this.addLines(surface, new Uint32Array(0), rimMaterial!, 3),
+      rimBehind: this.addLines(surface, new Uint32Array(0), rimBehind!, 3),
+      litSeam: this.addPoints(surface, litMaterial!),
+      litBehind: this.addPoints(surface, litBehind!),
     };
     this.drawn_.seams.visible = this.seamsShown_;
     this.drawn_.wires.visible = this.wiresShown_;
@@ -70,8 +96,8 @@ export class ClothLines {
   /** The group is emptied by whoever owns it. */
   clear(): void {
     if (!this.drawn_) return;
-    const { seams, threads, wires, rimOfPiece, litSeam } = this.drawn_;
-    for (const lines of [seams, threads, wires, rimOfPiece, litSeam]) lines.geometry.dispose();
+    const { topology: _, rim: __, ...drawn } = this.drawn_;
+    for (const lines of Object.values(drawn)) lines.geometry.dispose();
     this.drawn_ = null;
   }
 
@@ -102,20 +128,17 @@ export class ClothLines {
 
   outlineSeam(parts: readonly SeamPart[]): void {
     if (!this.drawn_) return;
-    const { litSeam, topology, rim } = this.drawn_;
-    const vertices = verticesAlong(parts, topology, rim);
-    litSeam.geometry.setIndex(new BufferAttribute(new Uint32Array(vertices), 1));
-    litSeam.visible = vertices.length > 0;
+    const { litSeam, litBehind, topology, rim } = this.drawn_;
+    showOnly([litSeam, litBehind], verticesAlong(parts, topology, rim));
   }
 
   outlinePiece(piece: TopologyPiece | undefined): void {
     if (!this.drawn_) return;
-    const { rim, rimOfPiece } = this.drawn_;
+    const { rim, rimOfPiece, rimBehind } = this.drawn_;
     const inside = (v: number): boolean => !!piece && v >= piece.firstVertex && v < piece.firstVertex + piece.vertexCount;
     const edges: number[] = [];
     for (let i = 0; i < rim.length; i += 2) if (inside(rim[i]!)) edges.push(rim[i]!, rim[i + 1]!);
-    rimOfPiece.geometry.setIndex(new BufferAttribute(new Uint32Array(edges), 1));
-    rimOfPiece.visible = edges.length > 0;
+    showOnly([rimOfPiece, rimBehind], edges);
   }
 
   dispose(): void {
@@ -124,8 +147,8 @@ export class ClothLines {
       this.seamMaterial_,
       this.wireMaterial_,
       this.threadMaterial_,
-      this.rimMaterial_,
-      this.litMaterial_,
+      ...this.rimMaterials_,
+      ...this.litMaterials_,
     ])
       material.dispose();
   }
@@ -146,13 +169,21 @@ export class ClothLines {
     return lines;
   }
 
-  private addLitSeam(surface: BufferGeometry): Points {
+  private addPoints(surface: BufferGeometry, material: PointsMaterial): Points {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', surface.getAttribute('position'));
-    const points = new Points(geometry, this.litMaterial_);
+    const points = new Points(geometry, material);
     points.renderOrder = 4;
     points.frustumCulled = false;
     this.group_.add(points);
     return points;
+  }
+}
+
+/** Draws these vertices of the surface, by each of the two. */
+function showOnly(both: readonly (LineSegments | Points)[], vertices: readonly number[]): void {
+  for (const one of both) {
+    one.geometry.setIndex(new BufferAttribute(new Uint32Array(vertices), 1));
+    one.visible = vertices.length > 0;
   }
 }

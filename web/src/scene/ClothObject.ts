@@ -137,7 +137,7 @@ export class ClothObject {
     return this.map_?.values[hit.face?.a ?? -1] ?? NaN;
   }
 
-  /** Draws the vertices along a seam's sides as a dotted line, over everything. */
+  /** Draws the vertices along a seam's sides as a dotted line, faint where something lies before it. */
   lightSeam(parts: readonly SeamPart[]): void {
     this.litParts_ = parts;
     this.lines_.outlineSeam(parts);
