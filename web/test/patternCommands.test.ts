@@ -148,6 +148,31 @@ describe('sewing', () => {
   });
 });
 
+describe('a proposal', () => {
+  const of = (id: string, from: string, to: string) => ({ ...seamOf(id, ['a', from], ['b', to]), confidence: 0.4, to_wear: false });
+
+  it('is sewn by itself; those that are still possible stay, and their ticks', async () => {
+    const { seams, sent, state } = begin({ proposals: async () => [of('s1', 'e0', 'e0'), of('s2', 'e0', 'e1'), of('s3', 'e2', 'e2')] });
+    await seams.propose();
+    seams.choose('s3', true);
+    seams.lightProposal(valueOf(state.editing.proposals.value!)![0]!);
+    expect(state.litParts.value.map(({ piece, edge }) => `${piece} ${edge}`)).toEqual(['a e0', 'b e0']);
+    await seams.acceptProposal('s1');
+    expect(sent[0]!.edits).toMatchObject([{ edit: 'add_seam', id: 's1' }]);
+    expect(valueOf(state.editing.proposals.value!)!.map(({ id }) => id)).toEqual(['s3']);
+    expect([...state.editing.chosen.value]).toEqual(['s3']);
+    expect(state.litParts.value).toEqual([]);
+  });
+
+  it('that is refused is looked for anew', async () => {
+    const refuse = () => Promise.reject(new ApiError(422, 'edit.seam', 'no'));
+    const { seams, state } = begin({ proposals: async () => [of('s1', 'e0', 'e0')], edit: refuse });
+    await seams.propose();
+    await seams.acceptProposal('s1');
+    expect(state.editing.problem.value?.code).toBe('edit.seam');
+  });
+});
+
 describe('pieces', () => {
   it('that were shown apart keep their places when one is moved', async () => {
     const { commands, sent, state } = begin();

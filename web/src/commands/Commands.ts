@@ -235,6 +235,7 @@ export class Commands {
     else if (fix.kind === 'seam') this.pattern.selectSeam(fix.seam);
     else if (fix.kind === 'sew') void this.seams.propose();
     else return false;
+    if (fix.kind === 'sew' && fix.piece) this.select(fix.piece);
     tab.value = fix.kind === 'place' ? 'arrange' : 'pattern';
     return true;
   }

@@ -5,7 +5,7 @@ import type { Edit, SeamProposal } from '../api/types';
 import { loading, ready, valueOf, type AppState } from '../state/AppState';
 import type { EditingState } from '../state/editing';
 import { tidied } from '../state/seamRange';
-import { emptyDraft, freeSeamId, ticked, toWear, withEdge, type Side } from '../state/seamView';
+import { clash, emptyDraft, freeSeamId, ticked, toWear, withEdge, type Side } from '../state/seamView';
 import type { EditQueue } from './EditQueue';
 import { asApiError } from './notices';
 
@@ -94,12 +94,33 @@ export class SeamCommands {
     chosen.value = ticked(valueOf(proposals.value ?? loading) ?? [], chosen.value, proposal, on);
   }
 
+  /** Lights one in both views. */
+  lightProposal(proposal: SeamProposal | null): void {
+    this.editing.litProposal.value = proposal;
+  }
+
   /** Adds the ticked proposals as one step. */
-  async acceptProposals(): Promise<void> {
-    const { proposals, chosen } = this.editing;
+  acceptProposals(): Promise<void> {
+    return this.accept(({ id }) => this.editing.chosen.value.has(id));
+  }
+
+  acceptProposal(id: string): Promise<void> {
+    return this.accept((one) => one.id === id);
+  }
+
+  /** Those that are still possible stay, to be looked at. */
+  private async accept(isTaken: (one: SeamProposal) => boolean): Promise<void> {
+    const { proposals, chosen, problem, litProposal } = this.editing;
+    const project = this.state_.projectId.value;
     const found = valueOf(proposals.value ?? loading) ?? [];
-    const accepted = found.filter((one) => chosen.value.has(one.id));
-    if (accepted.length > 0) await this.edits_.send(...accepted.map(seamOf));
+    const taken = found.filter(isTaken);
+    if (taken.length === 0) return;
+    await this.edits_.send(...taken.map(seamOf));
+    litProposal.value = null;
+    if (problem.value || this.state_.projectId.value !== project) return;
+    const left = found.filter((one) => !isTaken(one) && !taken.some((other) => clash(one, other)));
+    proposals.value = ready(left);
+    chosen.value = new Set(left.map(({ id }) => id).filter((id) => chosen.value.has(id)));
   }
 }
 

@@ -149,7 +149,12 @@ function Read({ draft, report, page, Preview }: { draft: ImportDraft; report: Im
           )}
           {page.value === 'layers' && <ImportLayers draft={draft} layers={report.layers} />}
           {page.value === 'seams' && (
-            <ImportSeams draft={draft} report={report} onLight={(seam) => (lit.value = seam)} />
+            <ImportSeams
+              draft={draft}
+              report={report}
+              onLight={(seam) => (lit.value = seam)}
+              onPiece={(name) => (piece.value = name)}
+            />
           )}
           {page.value === 'report' && <ImportReport report={report} />}
         </div>

@@ -1,23 +1,32 @@
 // Proposals of seams, surest first, with ticks: those that are sure are ticked.
 
+import { useSignal } from '@preact/signals';
 import { useCommands } from '../commands/context';
 import type { Import } from '../api/types';
-import { piecesDrawn, seamsInReach, type ImportDraft } from '../state/importDraft';
-import { kSure, seamColour } from '../state/seamView';
+import { piecesDrawn, seamsInReach, sourceNames, type ImportDraft } from '../state/importDraft';
+import { kSure, seamColour, unsewn } from '../state/seamView';
 import { percent } from '../state/words';
-import { ProposalRow } from './ProposalList';
+import { ProposalRow, ProposalRows } from './ProposalList';
+import { UnsewnPieces } from './UnsewnPieces';
 import { t } from '../texts/language';
 
 export interface ImportSeamsProps {
   draft: ImportDraft;
   report: Import;
   onLight(seam: string | null): void;
+  /** By its name in the file. */
+  onPiece(piece: string | null): void;
 }
 
-export function ImportSeams({ draft, report, onLight }: ImportSeamsProps) {
+export function ImportSeams({ draft, report, onLight, onPiece }: ImportSeamsProps) {
   const { imports } = useCommands();
   const seams = seamsInReach(report, draft.left);
   const pieces = piecesDrawn(report);
+  const sources = sourceNames(report);
+  const only = useSignal<string | null>(null);
+  const staying = pieces.filter(({ id }) => sources.has(id) && !draft.left.has(sources.get(id)!));
+  const of = staying.some(({ id }) => id === only.value) ? only.value : null;
+  const loose = unsewn(staying, seams.filter((seam) => draft.chosen.has(seam.id)));
   if (seams.length === 0) {
     return (
       <p class="hint">
@@ -45,8 +54,12 @@ export function ImportSeams({ draft, report, onLight }: ImportSeamsProps) {
           {t.common.none}
         </button>
       </div>
-      <ul>
-        {seams.map((seam) => (
+      <UnsewnPieces pieces={loose} chosen={of} choose={(piece) => (only.value = piece)} light={(piece) => onPiece(piece && (sources.get(piece) ?? piece))} />
+      <ProposalRows
+        proposals={seams}
+        of={of}
+        all={() => (only.value = null)}
+        row={(seam) => (
           <ProposalRow
             key={seam.id}
             proposal={seam}
@@ -56,8 +69,8 @@ export function ImportSeams({ draft, report, onLight }: ImportSeamsProps) {
             turn={(on) => imports.takeSeam(seam.id, on)}
             light={(on) => onLight(on ? seam.id : null)}
           />
-        ))}
-      </ul>
+        )}
+      />
     </section>
   );
 }

@@ -4,7 +4,7 @@ import type { Report } from '../api/types';
 import { useCommands } from '../commands/context';
 import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { fixTitle, outcomesOf, type Outcome } from '../state/outcome';
+import { fixTitle, outcomesOf, unevenSeams, type Outcome } from '../state/outcome';
 import { SeamChip } from './SeamChip';
 import { sentence } from '../texts/told';
 
@@ -16,6 +16,7 @@ export function OutcomeList() {
   const known = {
     pieces: (pattern?.pieces ?? []).map((piece) => piece.id),
     seams: (pattern?.seams ?? []).map((seam) => seam.id),
+    uneven: unevenSeams(pattern?.seams ?? []),
     max_time_s: pattern?.max_time_s,
   };
   const report: Report | null = valueOf(state.report.value ?? loading);

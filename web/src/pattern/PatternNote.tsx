@@ -3,7 +3,7 @@
 import type { Pieces } from '../api/types';
 import type { ApiError } from '../api/http';
 import { useAppState } from '../state/context';
-import { seamTitle } from '../state/seamNames';
+import { seamTitle, seamWords } from '../state/seamNames';
 import { lengthsText, seamLengths } from '../state/seamView';
 import type { Held, PatternTool } from '../tools/PatternTool';
 import { kDraftSeam, type ShownSeam } from './SeamShapes';
@@ -62,6 +62,10 @@ function drawnLengths({ pieces }: Pieces, lit: ShownSeam | null): [number, numbe
   return [a, b];
 }
 
+/** One that is proposed has no number yet. */
+const titleOf = (pieces: Pieces, { seam }: ShownSeam): string =>
+  pieces.seams.some(({ id }) => id === seam.id) ? seamTitle(pieces, seam.id) : seamWords(seam, pieces);
+
 /** How long both sides of the lit seam are; of one that is being made how it is sewn, once both are there. */
 function lengthsOf(pieces: Pieces, lit: ShownSeam | null, both_mm: readonly [number, number], both: boolean) {
   if (!lit || lit.seam.b.length === 0) return null;
@@ -69,7 +73,7 @@ function lengthsOf(pieces: Pieces, lit: ShownSeam | null, both_mm: readonly [num
   const drafted = lit.seam.id === kDraftSeam;
   return (
     <>
-      <b>{drafted ? t.pattern.newSeam : seamTitle(pieces, lit.seam.id)}</b> <span class="figures">{lengths}</span> · {difference}
+      <b>{drafted ? t.pattern.newSeam : titleOf(pieces, lit)}</b> <span class="figures">{lengths}</span> · {difference}
       {drafted && both && (
         <>
           {' · '}

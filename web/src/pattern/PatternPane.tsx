@@ -197,14 +197,15 @@ interface Seams {
 /** All seams with the one that is being made, which is lit before any other. */
 function useSeams(pieces: Pieces): Seams {
   const { editing } = useAppState();
-  const all = seamsShown(pieces, draftShown(editing, pieces.pieces));
+  const proposal = editing.litProposal.value;
+  const all = seamsShown(pieces, draftShown(editing, pieces.pieces), proposal);
   const drafted = all.some((one) => one.seam.id === kDraftSeam);
-  const litId = drafted ? kDraftSeam : (editing.litSeam.value ?? editing.seam.value);
+  const litId = drafted ? kDraftSeam : (proposal?.id ?? editing.litSeam.value ?? editing.seam.value);
   return { all, litId, lit: all.find((one) => one.seam.id === litId) ?? null };
 }
 
-function seamsShown({ pieces, seams }: Pieces, draft: SeamDraft): ShownSeam[] {
-  const all: SeamSides[] = [...seams];
+function seamsShown({ pieces, seams }: Pieces, draft: SeamDraft, proposal: SeamSides | null): ShownSeam[] {
+  const all: SeamSides[] = proposal ? [...seams, proposal] : [...seams];
   if (draft.a.length > 0) all.push({ id: kDraftSeam, a: draft.a, b: draft.b, same_direction: draft.sameDirection });
   return all.map((seam, index) => ({ seam, index, parts: seamParts(pieces, seam) }));
 }

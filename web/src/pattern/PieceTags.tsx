@@ -1,8 +1,8 @@
 // Names and sizes in full, over all pieces, of those that are pointed at or selected and too small to have them written on.
 
-import type { Point } from '../api/types';
-import type { PlacedPiece } from '../state/layout';
-import type { Box } from '../state/patternGeometry';
+import type { Piece, Point } from '../api/types';
+import { overlap, type PlacedPiece } from '../state/layout';
+import { movedBox, widthOf, type Box } from '../state/patternGeometry';
 import { nameOn, sizeText, widthOfName } from './PieceShape';
 
 export interface PieceTagsProps {
@@ -20,23 +20,51 @@ const kAway = 6;
 /** About the width of a figure. */
 const kFigurePx = 6.4;
 
+interface Tag {
+  piece: Piece;
+  size: string;
+  /** mm. */
+  box: Box;
+}
+
 export function PieceTags({ placed, told, scale, seen }: PieceTagsProps) {
   const small = placed.filter((one) => told.includes(one.piece.id) && nameOn(one, scale) !== one.piece.id);
   return (
     <g class="piece-tags" aria-hidden="true">
-      {small.map((one) => (
-        <Tag key={one.piece.id} placed={one} scale={scale} seen={seen} />
+      {tagsOf(small, scale, seen).map((tag) => (
+        <TagShape key={tag.piece.id} tag={tag} scale={scale} />
       ))}
     </g>
   );
 }
 
-function Tag({ placed: { piece, box }, scale, seen }: { placed: PlacedPiece; scale: number; seen: Box }) {
-  const size = sizeText(piece);
-  const wide = 22 + widthOfName(piece.id) + kFigurePx * size.length;
-  const [x, y] = tagAt(box, wide / scale, seen, scale);
+/** Halves of a pair lie side by side: one's tag stands above the other's, or below it, rather than on it. */
+function tagsOf(placed: readonly PlacedPiece[], scale: number, seen: Box): Tag[] {
+  const tags: Tag[] = [];
+  for (const { piece, box } of placed) {
+    const size = sizeText(piece);
+    const wide = (22 + widthOfName(piece.id) + kFigurePx * size.length) / scale;
+    const at = tagAt(box, wide, seen, scale);
+    let place = tagBox(at, wide, scale);
+    const step = (kHeight + 3) / scale;
+    const away = place.maxY + step <= seen.maxY ? step : -step;
+    while (tags.some((other) => overlap(other.box, place))) place = movedBox(place, [0, away]);
+    tags.push({ piece, size, box: place });
+  }
+  return tags;
+}
+
+const tagBox = ([x, y]: Point, wide: number, scale: number): Box => ({
+  minX: x - wide / 2,
+  maxX: x + wide / 2,
+  minY: y - kHeight / 2 / scale,
+  maxY: y + kHeight / 2 / scale,
+});
+
+function TagShape({ tag: { piece, size, box }, scale }: { tag: Tag; scale: number }) {
+  const wide = widthOf(box) * scale;
   return (
-    <g class="piece-tag" transform={`translate(${x} ${-y}) scale(${1 / scale})`}>
+    <g class="piece-tag" transform={`translate(${(box.minX + box.maxX) / 2} ${-(box.minY + box.maxY) / 2}) scale(${1 / scale})`}>
       <rect x={-wide / 2} y={-kHeight / 2} width={wide} height={kHeight} rx={6} />
       <text dy="0.35em">
         {piece.id} <tspan>{size}</tspan>

@@ -290,11 +290,11 @@ export class AppState {
     return hangs && steps.every(({ edits }) => edits.every(keepsTheShape)) ? job.id : null;
   });
 
-  /** The seam that is lit, as its parts lie on the pieces. */
+  /** The seam that is lit, one that is proposed too, as its parts lie on the pieces. */
   readonly litParts: ReadonlySignal<readonly SeamPart[]> = computed(() => {
     const id = this.editing.litSeam.value ?? this.editing.seam.value;
     const pattern = valueOf(this.pieces.value ?? loading);
-    const seam = id === null ? undefined : pattern?.seams.find((one) => one.id === id);
+    const seam = this.editing.litProposal.value ?? (id === null ? undefined : pattern?.seams.find((one) => one.id === id));
     return pattern && seam ? seamParts(pattern.pieces, seam) : [];
   });
 

@@ -65,6 +65,8 @@ export class EditingState extends PerProject {
   readonly uploading: Signal<boolean> = signal(false);
   readonly proposals: Signal<Loaded<SeamProposal[]> | null> = this.perProject(null);
   readonly chosen: Signal<ReadonlySet<string>> = signal(new Set());
+  /** Under the pointer, in their list. */
+  readonly litProposal: Signal<SeamProposal | null> = this.perProject<SeamProposal | null>(null);
   /** The pattern has the large place, the 3D view the small one. */
   readonly large: Signal<boolean> = signal(false);
   /** Where pieces that lie on one another are shown instead, mm, by their id; kept while the project is shown. */

@@ -14,7 +14,7 @@ export interface PlacedPiece {
   centre: Point;
 }
 
-const overlap = (a: Box, b: Box): boolean => a.minX < b.maxX && b.minX < a.maxX && a.minY < b.maxY && b.minY < a.maxY;
+export const overlap = (a: Box, b: Box): boolean => a.minX < b.maxX && b.minX < a.maxX && a.minY < b.maxY && b.minY < a.maxY;
 
 /** Space between pieces that are laid out anew, mm. */
 const kGap = 50;

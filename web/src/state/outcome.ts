@@ -1,7 +1,7 @@
 // What a drape came to, where it is not simply done: in words, with what it is about and the ways on. Pure.
 
 import type { Finding } from '../api/dressing';
-import type { Job, Report } from '../api/types';
+import type { Job, Report, Seam } from '../api/types';
 import type { Texts } from '../texts/en';
 import { told } from '../texts/told';
 import { sentence } from './words';
@@ -18,7 +18,8 @@ export type Fix =
   | { kind: 'arrange' }
   | { kind: 'drape' }
   | { kind: 'place'; piece: string }
-  | { kind: 'sew' }
+  /** `piece`: whose seams are wanting. */
+  | { kind: 'sew'; piece?: string }
   | { kind: 'edit'; piece: string }
   | { kind: 'seam'; seam: string }
   /** s of simulated time. */
@@ -95,17 +96,27 @@ function failed(job: Job, known: Known): Outcome {
 function openSeams(open: Report['open_seams'], known: Known): Outcome {
   const widest = [...open].sort((a, b) => b.gap_mm - a.gap_mm);
   const seams = widest.map((seam) => seam.id).filter((id) => known.seams.includes(id));
-  
+  const [first] = seams;
+  const uneven = first !== undefined && known.uneven?.includes(first) === true;
+  const see: Fix[] = uneven ? [{ kind: 'seam', seam: first }] : [];
+  const turn: Fix[] = first === undefined ? [] : [{ kind: 'reverse', seam: first }];
   return {
     tone: 'warn',
     title: t.outcome.openSeams(open.length),
-    text: t.outcome.openWhy,
+    text: uneven ? t.outcome.openUneven : t.outcome.openWhy,
     seams,
     pieces: [],
-    fixes: [...seams.slice(0, 1).map((seam): Fix => ({ kind: 'reverse', seam })), { kind: 'arrange' }],
+    fixes: [...see, ...turn, { kind: 'arrange' }],
     code: 'open_seam',
   };
 }
+
+/** Of the shorter side: more is no ease that anybody sews in. */
+const kMostEase = 0.15;
+
+/** Ids of seams whose sides are not made for each other. */
+export const unevenSeams = (seams: readonly Seam[]): string[] =>
+  seams.filter(({ length_a_mm: a, length_b_mm: b }) => Math.abs(a - b) > kMostEase * Math.min(a, b)).map(({ id }) => id);
 
 const idsOf = (findings: readonly Finding[], thing: 'piece' | 'seam'): string[] => [
   ...new Set(findings.flatMap(({ about }) => about.filter((one) => one.thing === thing).map(({ id }) => id))),
@@ -118,7 +129,7 @@ function notWorn(report: Report): Outcome | null {
   const detail = off.map(({ code, message }) => told(code, message).detail).join('; ');
   const [seams, pieces] = [idsOf(off, 'seam'), idsOf(off, 'piece')];
   const unsewn = off.some(({ code }) => code === 'worn.unsewn');
-  const fixes: Fix[] = [{ kind: unsewn ? 'sew' : 'arrange' }];
+  const fixes: Fix[] = unsewn ? [{ kind: 'sew' }] : [{ kind: 'arrange' }, { kind: 'sew' }];
   return { tone: 'warn', title: t.outcome.notWorn, text, detail, seams, pieces, fixes, code: 'worn' };
 }
 
@@ -147,7 +158,7 @@ function leftOut(report: Report): Outcome | null {
     text: t.outcome.leftOutWhy,
     seams: [],
     pieces,
-    fixes: [{ kind: 'sew' }],
+    fixes: [pieces.length === 1 ? { kind: 'sew', piece: pieces[0]! } : { kind: 'sew' }],
     code: 'piece.left_out',
   };
 }
@@ -173,6 +184,8 @@ function moving(max_time_s: number | undefined): Outcome {
 export interface Known {
   pieces: readonly string[];
   seams: readonly string[];
+  /** Seams of which one side is much longer. */
+  uneven?: readonly string[];
   /** s of simulated time that its drapes may take. */
   max_time_s?: number;
 }

@@ -154,6 +154,13 @@ export function clash(one: SeamSides, other: SeamSides): boolean {
   );
 }
 
+/** Whether a seam holds a piece. */
+export const holds = ({ a, b }: SeamSides, piece: string): boolean => [...a, ...b].some((use) => use.piece === piece);
+
+/** Ids of pieces that no seam holds; a piece that is all there is needs none. */
+export const unsewn = (pieces: readonly { id: string }[], seams: readonly SeamSides[]): string[] =>
+  pieces.length < 2 ? [] : pieces.map(({ id }) => id).filter((id) => !seams.some((seam) => holds(seam, id)));
+
 /** Those with which a garment is best begun, as the service tells. */
 export const toWear = (seams: readonly SeamProposal[]): Set<string> =>
   new Set(seams.filter((seam) => seam.to_wear).map((seam) => seam.id));

@@ -284,7 +284,7 @@ describe('the layers of a file', () => {
 
 describe('the seams that a file proposes', () => {
   it('are ticked one by one, or by how sure they are', () => {
-    page.show(<ImportSeams draft={draftOf()} report={importOf()} onLight={() => undefined} />);
+    page.show(<ImportSeams draft={draftOf()} report={importOf()} onLight={() => undefined} onPiece={() => undefined} />);
     const [first, second] = screen.getAllByRole<HTMLInputElement>('checkbox');
     expect([first!.checked, second!.checked]).toEqual([true, false]);
     click(second!);
@@ -297,8 +297,23 @@ describe('the seams that a file proposes', () => {
     ]);
   });
 
+  it('are unsure where a garment is not begun with them; a piece that nothing holds shows what is proposed for it', () => {
+    const pointed: (string | null)[] = [];
+    page.show(<ImportSeams draft={draftOf()} report={importOf()} onLight={() => undefined} onPiece={(piece) => pointed.push(piece)} />);
+    expect(within(screen.getByRole('list', { name: 'Unsure proposals' })).getAllByRole('checkbox')).toHaveLength(1);
+    expect(screen.getByText(/^1 piece is sewn to nothing/)).toBeTruthy();
+    const loose = button('sleeve_mirrored');
+    fireEvent.pointerEnter(loose);
+    expect(pointed).toEqual(['sleeve']);
+    click(loose);
+    expect(screen.getByText(/^Proposed for sleeve_mirrored/)).toBeTruthy();
+    expect(screen.getAllByRole('checkbox')).toHaveLength(1);
+    click(button('Show all 2'));
+    expect(screen.getAllByRole('checkbox')).toHaveLength(2);
+  });
+
   it('are none where none could be found', () => {
-    page.show(<ImportSeams draft={draftOf()} report={importOf({ seams: [] })} onLight={() => undefined} />);
+    page.show(<ImportSeams draft={draftOf()} report={importOf({ seams: [] })} onLight={() => undefined} onPiece={() => undefined} />);
     expect(screen.getByText(/none could be found/)).toBeTruthy();
   });
 });

@@ -10,6 +10,7 @@ import { HistoryList } from '../../src/panels/HistoryList';
 import { PatternFiles } from '../../src/panels/PatternFiles';
 import { PatternPanel } from '../../src/panels/PatternPanel';
 import { ProposalList } from '../../src/panels/ProposalList';
+import { UnsewnPieces } from '../../src/panels/UnsewnPieces';
 import { SeamList } from '../../src/panels/SeamList';
 import { SelectionPanel } from '../../src/panels/SelectionPanel';
 import { TextureFields } from '../../src/panels/TextureFields';
@@ -291,6 +292,24 @@ describe('the list of seams', () => {
   });
 });
 
+describe('pieces that no seam holds', () => {
+  it('are chosen one at a time, lit under the pointer, and let go again', () => {
+    const said: (string | null)[] = [];
+    const show = (chosen: string | null): void =>
+      page.show(<UnsewnPieces pieces={['a', 'b']} chosen={chosen} choose={(piece) => said.push(piece)} light={(piece) => said.push(piece)} />);
+    show(null);
+    fireEvent.pointerEnter(button('b'));
+    fireEvent.pointerLeave(button('b'));
+    click(button('b'));
+    show('b');
+    expect(button('b').getAttribute('aria-pressed')).toBe('true');
+    click(button('b'));
+    expect(said).toEqual(['b', null, 'b', null]);
+    page.show(<UnsewnPieces pieces={[]} chosen={null} choose={() => undefined} light={() => undefined} />);
+    expect(screen.queryByRole('button')).toBeNull();
+  });
+});
+
 describe('the proposals', () => {
   const found = { ...seamOf('seam0', ['a', 'e0'], ['b', 'e2']), confidence: 0.93, to_wear: true, length_a_mm: 10, length_b_mm: 10 };
 
@@ -325,6 +344,30 @@ describe('the proposals', () => {
     expect(page.asked()).toEqual([['seams.choose', 'seam0', false], ['seams.acceptProposals']]);
     page.change((state) => (state.editing.chosen.value = new Set()));
     expect(button('Sew 0 seams').hasAttribute('disabled')).toBe(true);
+  });
+
+  it('are lit where they are pointed at, and sewn one by one', () => {
+    page.change((state) => (state.editing.proposals.value = ready([found, { ...found, id: 'seam1', confidence: 0.4, to_wear: false }])));
+    page.show(<ProposalList pieces={two()} />);
+    const unsure = within(screen.getByRole('list', { name: 'Unsure proposals' }));
+    fireEvent.pointerEnter(unsure.getByRole('listitem'));
+    click(unsure.getByRole('button', { name: /^Sew a · / }));
+    expect(page.asked()).toMatchObject([['seams.lightProposal', { id: 'seam1' }], ['seams.acceptProposal', 'seam1']]);
+  });
+
+  it('of a piece stand alone while it is selected; pieces that nothing holds are told', () => {
+    page.change((state) => (state.editing.proposals.value = ready([found])));
+    const pieces = [...two().pieces, squareOf('c', 0, 0, 10)];
+    page.show(<ProposalList pieces={{ pieces, seams: [seamOf('s', ['a', 'e1'], ['b', 'e3'])] }} />);
+    expect(screen.getByText(/^1 piece is sewn to nothing/)).toBeTruthy();
+    click(button('c'));
+    expect(page.asked()).toContainEqual(['select', 'c']);
+    page.change((state) => (state.selected.value = 'c'));
+    expect(screen.getByText(/^Nothing is proposed for c/)).toBeTruthy();
+    page.change((state) => (state.selected.value = 'b'));
+    expect(screen.getAllByRole('listitem')).toHaveLength(1);
+    click(button('Show all 1'));
+    expect(page.asked()).toContainEqual(['select', null]);
   });
 
   it('are not asked for where there are no pieces', () => {

@@ -187,6 +187,25 @@ describe('a drape under way', () => {
     expect(screen.getByRole('button', { name: '1 front to back' })).toBeTruthy();
   });
 
+  it('says that a seam’s sides are not made for each other, and leads to it; of what is not worn seams may be wanting', () => {
+    const pieces = [squareOf('front', 0, 0, 10), squareOf('back', 20, 0, 10)];
+    const seams = [{ ...seamOf('seam3', ['front', 'e1'], ['back', 'e3']), length_a_mm: 415, length_b_mm: 339, issues: [] }];
+    const off = { code: 'worn.ring_off', severity: 'warning' as const, message: 'a ring is off', where: '', about: [], place: [0, 0, 0] as [number, number, number], repaired: false };
+    page.change((state) => {
+      state.pieces.value = ready({ pieces, seams });
+      state.report.value = ready(reportOf({ open_seams: [{ id: 'seam3', gap_mm: 7 }], seam_gap_max_mm: 7, worn: 'partly', findings: [off] }));
+    });
+    drape({ state: 'succeeded', reason_code: 'open_seam' });
+    page.show(<OutcomeList />);
+    expect(screen.getByText(/^One side of the widest is much longer/)).toBeTruthy();
+    click(screen.getByRole('button', { name: 'See the seam' }));
+    click(screen.getByRole('button', { name: 'Look for its seams' }));
+    expect(page.asked()).toEqual([
+      ['mend', { kind: 'seam', seam: 'seam3' }],
+      ['mend', { kind: 'sew' }],
+    ]);
+  });
+
   it('offers more time to cloth that still moved', () => {
     page.change((state) => {
       state.pieces.value = ready({ pieces: [], seams: [], max_time_s: 8 });

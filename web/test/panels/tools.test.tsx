@@ -7,7 +7,7 @@ import type { Seam } from '../../src/api/types';
 import { HelpDialog } from '../../src/panels/HelpDialog';
 import { PatternPanel } from '../../src/panels/PatternPanel';
 import { PatternPane } from '../../src/pattern/PatternPane';
-import { ready } from '../../src/state/AppState';
+import { ready, valueOf } from '../../src/state/AppState';
 import { emptyDraft } from '../../src/state/seamView';
 import { listenForKeys } from '../../src/tools/keys';
 import type { PatternTool } from '../../src/tools/PatternTool';
@@ -106,6 +106,25 @@ describe('the 2D view', () => {
     expect(tags()).toEqual(['b 4 × 4 mm']);
     page.change((state) => (state.selected.value = 'under_collar'));
     expect(tags()).toEqual(['b 4 × 4 mm', 'under_collar 4 × 4 mm']);
+    const twin = squareOf('twin_collar', 306, 0, 4);
+    page.change((state) => {
+      const { pieces: all, seams } = valueOf(state.pieces.value!)!;
+      state.pieces.value = ready({ pieces: [...all, twin], seams });
+      state.hovered.value = 'twin_collar';
+    });
+    const heights = [...document.querySelectorAll('.piece-tag')].map((tag) => /translate\(\S+ (\S+)\)/.exec(tag.getAttribute('transform')!)![1]);
+    expect(new Set(heights).size).toBe(2);
+  });
+
+  it('lights a seam that is proposed, between both pieces, and tells it below', () => {
+    open();
+    const proposal = { ...seamOf('seam9', ['a', 'e0'], ['b', 'e2']), confidence: 0.4, to_wear: false, length_a_mm: 100, length_b_mm: 100 };
+    page.change((state) => (state.editing.litProposal.value = proposal));
+    expect(document.querySelectorAll('.seam.lit[data-seam=seam9]')).toHaveLength(2);
+    expect(document.querySelector('.threads')).toBeTruthy();
+    expect(note()).toMatch(/^a · .+ to b · .+100\.0 ⇄ 100\.0 mm/);
+    page.change((state) => (state.editing.litProposal.value = null));
+    expect(document.querySelector('[data-seam=seam9]')).toBeNull();
   });
 
   it('has a button for each tool, and for what was done last', () => {

@@ -9,6 +9,7 @@ export const outcome: Texts['outcome'] = {
   noResult: 'sie endete ohne Ergebnis',
   failed: 'Die Drapierung ist fehlgeschlagen',
   openWhy: 'Meist ist eine Naht dann verkehrt herum genäht, oder der Körper steht zwischen ihren Seiten.',
+  openUneven: 'Eine Seite der weitesten ist viel länger als die andere: Vielleicht endet sie woanders, oder eine Naht daneben fehlt. Sonst ist eine Naht verkehrt herum genäht.',
   notWorn: 'Es wird nicht getragen, wie es sollte',
   leftOutWhy: 'Nichts verbindet sie mit dem Rest, oder das Kleidungsstück ließ sich mit ihnen nicht anziehen; deshalb wurde ohne sie drapiert.',
   moved: 'Am Ende bewegte es sich noch',

@@ -3,7 +3,7 @@
 import type { Texts } from '../en';
 import { grammar } from '../grammar';
 
-const { counted } = grammar('de');
+const { counted, number } = grammar('de');
 
 export const pattern: Texts['pattern'] = {
   newSeam: 'Neue Naht',
@@ -42,6 +42,14 @@ export const pattern: Texts['pattern'] = {
   noneFurther: 'Weitere Nähte wurden nicht gefunden.',
   confidence: 'Sicherheit',
   sewSeams: (n) => `${counted(n, 'Naht', 'Nähte')} nähen`,
+  sewOne: 'Nähen',
+  sewThis: (seam) => `${seam} nähen`,
+  unsewn: (n) => `${counted(n, 'Teil ist', 'Teile sind')} an nichts genäht. Wählen Sie eines, um zu sehen, was dafür vorgeschlagen wird.`,
+  proposedFor: (piece) => `Vorgeschlagen für ${piece}.`,
+  nothingFor: (piece) => `Für ${piece} wird nichts vorgeschlagen; seine Kanten lassen sich von Hand nähen.`,
+  allProposals: (n) => `Alle ${number(n)} zeigen`,
+  unsure: 'Nicht sicher genug, um ungesehen genommen zu werden: Zeigen Sie auf einen Vorschlag, um ihn auf den Teilen zu sehen, und nehmen Sie die richtigen an.',
+  unsureOnes: 'Unsichere Vorschläge',
   selection: 'Auswahl',
   pieceName: 'Name des Schnittteils',
   renameTip: (label) => `${label}: zum Umbenennen überschreiben`,

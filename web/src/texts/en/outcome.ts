@@ -8,6 +8,7 @@ export const outcome = {
   noResult: 'it ended without a result',
   failed: 'The drape failed',
   openWhy: 'Most often a seam is then sewn the wrong way round, or the body stands between its sides.',
+  openUneven: 'One side of the widest is much longer than the other: it may end elsewhere, or a seam beside it is wanting. Else a seam is sewn the wrong way round.',
   notWorn: 'It is not worn as it should be',
   leftOutWhy: 'Nothing holds them to the rest, or the garment could not be put on with them, so it was draped without them.',
   moved: 'It still moved at the end',

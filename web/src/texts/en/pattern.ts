@@ -2,7 +2,7 @@
 
 import { grammar } from '../grammar';
 
-const { counted } = grammar('en');
+const { counted, number } = grammar('en');
 
 export const pattern = {
   newSeam: 'New seam',
@@ -41,6 +41,14 @@ export const pattern = {
   noneFurther: 'No further seams are found.',
   confidence: 'Confidence',
   sewSeams: (n: number) => `Sew ${counted(n, 'seam', 'seams')}`,
+  sewOne: 'Sew',
+  sewThis: (seam: string) => `Sew ${seam}`,
+  unsewn: (n: number) => `${counted(n, 'piece is', 'pieces are')} sewn to nothing. Choose one to see what is proposed for it.`,
+  proposedFor: (piece: string) => `Proposed for ${piece}.`,
+  nothingFor: (piece: string) => `Nothing is proposed for ${piece}; its edges can be sewn by hand.`,
+  allProposals: (n: number) => `Show all ${number(n)}`,
+  unsure: 'Not sure enough to be taken unseen: point at one to see it on the pieces, and accept those that are right.',
+  unsureOnes: 'Unsure proposals',
   selection: 'Selection',
   pieceName: 'Name of the piece',
   renameTip: (label: string) => `${label}: type over it to rename`,
