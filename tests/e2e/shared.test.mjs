@@ -69,6 +69,17 @@ describe('share links', () => {
     assert.deepEqual(guest.complaints, []);
   });
 
+  it('show the stranger the maps that are measured on the page, and no others', async () => {
+    const maps = guest.locator('.map-choice');
+    assert.deepEqual(await maps.locator('option').evaluateAll((all) => all.map(({ value }) => value)), ['', 'warp', 'weft', 'shear', 'room']);
+    await maps.selectOption('room');
+    await guest.locator('.map-legend').getByText('mm').waitFor();
+    await waitForCalm(guest);
+    await shoot(guest, 'share-3b-room');
+    await maps.selectOption('');
+    await guest.locator('.map-legend').waitFor({ state: 'detached' });
+  });
+
   it('let the stranger take home what is allowed', async () => {
     const href = await guest.getByRole('link', { name: /GLB/ }).getAttribute('href');
     const bytes = await guest.evaluate(async (url) => (await (await fetch(url)).arrayBuffer()).byteLength, href);

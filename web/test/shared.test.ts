@@ -64,6 +64,8 @@ describe('a share link', () => {
     expect(load).toHaveBeenCalledWith('l_1/pictures/checks.png');
     expect([...state.looks.value.keys()]).toEqual(['front']);
     expect(state.since.value).toBeNull();
+    // What is measured here can be shown; nobody who looks on could do anything about the rest.
+    expect(state.missingMaps.value).toEqual({ curvature: 'never', pressure: 'never' });
   });
 
   it('shows a live one as it moves, and fetches what it came to', async () => {

@@ -7,12 +7,9 @@ import { clothFromObj } from '../api/objCloth';
 import { loadPicture, type LoadPicture } from '../api/pictures';
 import type { Job, SharedJob } from '../api/types';
 import { loading, ready, valueOf, type AppState } from '../state/AppState';
-import { isActive } from '../state/jobs';
+import { isActive, kLinkedProject } from '../state/jobs';
 import type { SharedState } from '../state/shared';
 import { asApiError } from './notices';
-
-/** Of the project that nobody sees, where views look for one. */
-const kProject = 'shared';
 
 export class SharedKeeper {
   private secret_ = '';
@@ -105,7 +102,7 @@ export class SharedKeeper {
     this.shared_.job.value = ready(job);
     this.state_.progress.value = job.progress;
     this.state_.report.value = job.report ? ready(job.report) : null;
-    const row: Job = { ...job, project_id: kProject };
+    const row: Job = { ...job, project_id: kLinkedProject };
     this.state_.jobs.value = ready([row]);
   }
 
@@ -117,7 +114,7 @@ export class SharedKeeper {
       const images = [...new Set(pieces.flatMap(({ texture }) => (texture ? [texture.image] : [])))];
       if (images.length === 0) return;
       const files = Object.fromEntries(images.map((name) => [name, name]));
-      this.state_.projects.value = ready([{ id: kProject, name: job.name, revision: 0, created_ms: 0, updated_ms: 0, files }]);
+      this.state_.projects.value = ready([{ id: kLinkedProject, name: job.name, revision: 0, created_ms: 0, updated_ms: 0, files }]);
       const loaded = images.map(async (name) => [name, await this.load_(this.api_.pictureUrl(job.id, name))] as const);
       this.state_.pictures.value = new Map(await Promise.all(loaded));
     } catch {

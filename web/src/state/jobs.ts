@@ -4,6 +4,9 @@ import type { JobAction } from '../api/Api';
 import type { Job, JobState, Progress } from '../api/types';
 import { t } from '../texts/language';
 
+/** Stands for the project of a drape that a link shows, which nobody is told. */
+export const kLinkedProject = 'shared';
+
 export const isActive = (state: JobState): boolean => state === 'queued' || state === 'running' || state === 'paused';
 
 /** Whether its cloth drapes or waits to: resumed, it stands in the queue with all that hangs and whoever holds it. */

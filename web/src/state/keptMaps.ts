@@ -5,7 +5,7 @@ import type { ClothTopology } from '../api/frames';
 import type { MapFile } from '../api/maps';
 import type { Job } from '../api/types';
 import { kMapKinds, kMaps, kServiceMaps, type MapKind } from './clothMaps';
-import { isActive } from './jobs';
+import { isActive, kLinkedProject } from './jobs';
 
 export const kMapFile = 'maps.json';
 
@@ -23,7 +23,7 @@ export function missingMaps(job: Job | null, bodyless: boolean): MissingMaps {
   const missing: Partial<Record<MapKind, Missing>> = {};
   for (const kind of kMapKinds) {
     const rule = kMaps[kind];
-    if (rule.kept && !job?.results) missing[kind] = 'never';
+    if (rule.kept && (!job || job.project_id === kLinkedProject)) missing[kind] = 'never';
     else if (rule.toBody && bodyless) missing[kind] = 'bodyless';
     else if (rule.kept && !hasMaps(job)) missing[kind] = job && isActive(job.state) ? 'live' : 'none';
   }
