@@ -103,7 +103,8 @@ describe('flat pieces', () => {
 
   it('have as much of their name as fits', () => {
     expect(nameThatFits('sleeve', 60)).toBe('sleeve');
-    expect(nameThatFits('left_sleeve_back', 70)).toBe('left_slee…');
+    expect(nameThatFits('left_sleeve_back', 70)).toBe('left_s…ack');
+    expect([7, 8].map((n) => nameThatFits(`skirt_panel_${n}`, 70))).toEqual(['skirt_…l_7', 'skirt_…l_8']);
     expect(nameThatFits('left_sleeve_back', 20)).toBe('');
   });
 

@@ -38,12 +38,20 @@ export const widthOfName = (name: string): number =>
 /** So many letters of a name that is cut off still tell it. */
 const kTelling = 7;
 
+/** Of the letters that are left, so many are the name's beginning: its end tells panel_3 from panel_4. */
+const kBeginning = 0.6;
+
+function cutTo(name: string, letters: number): string {
+  const head = Math.ceil(kBeginning * letters);
+  return `${name.slice(0, head)}…${name.slice(name.length - (letters - head))}`;
+}
+
 /** As much of a name as fits; nothing when that would be no name any more. */
 export function nameThatFits(name: string, px: number): string {
   if (widthOfName(name) <= px) return name;
   let letters = name.length - 1;
-  while (letters > 0 && widthOfName(`${name.slice(0, letters)}…`) > px) --letters;
-  return letters >= kTelling ? `${name.slice(0, letters)}…` : '';
+  while (letters > 0 && widthOfName(cutTo(name, letters)) > px) --letters;
+  return letters >= kTelling ? cutTo(name, letters) : '';
 }
 
 export function PieceShape(props: PieceShapeProps) {

@@ -43,7 +43,7 @@ function tagsOf(placed: readonly PlacedPiece[], scale: number, seen: Box): Tag[]
   const tags: Tag[] = [];
   for (const { piece, box } of placed) {
     const size = sizeText(piece);
-    const wide = (22 + widthOfName(piece.id) + kFigurePx * size.length) / scale;
+    const wide = (30 + widthOfName(piece.id) + kFigurePx * size.length) / scale;
     const at = tagAt(box, wide, seen, scale);
     let place = tagBox(at, wide, scale);
     const step = (kHeight + 3) / scale;
