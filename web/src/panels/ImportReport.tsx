@@ -16,6 +16,7 @@ import { patternFigure, patternLength } from '../texts/units';
 import { Icon } from '../controls/Icon';
 import { t } from '../texts/language';
 import { Said } from '../texts/Message';
+import { asRead } from '../texts/told';
 
 /** Rows drawn at once: a filter finds the others. */
 const kMostRows = 200;
@@ -149,7 +150,7 @@ function Entities({ entities }: { entities: readonly ImportedEntity[] }) {
             <p>
               <b>
                 {one.count > 1 && `${count(one.count)} × `}
-                {one.type}
+                {asRead(one.type)}
               </b>{' '}
               {one.layer && t.imports.onLayer(one.layer)}
             </p>

@@ -251,7 +251,7 @@ export const entitiesShown = (entities: readonly ImportedEntity[], filter: Repor
     (one) =>
       (filter.fate === '' || one.fate === filter.fate) &&
       (filter.piece === '' || one.piece === filter.piece) &&
-      has(filter.text, one.type, one.layer, one.block, asRead(one.reason), one.piece),
+      has(filter.text, asRead(one.type), one.layer, one.block, asRead(one.reason), one.piece),
   );
 
 export const warningsShown = (warnings: readonly ImportWarning[], filter: ReportFilter): ImportWarning[] =>

@@ -12,6 +12,8 @@ import { ImportPreview } from '../../src/pattern/ImportPreview';
 import { ready, type Intake } from '../../src/state/AppState';
 import type { ImportDraft, PreviewProps } from '../../src/state/importDraft';
 import { planIntake, type GivenFile } from '../../src/state/intake';
+import { speak, speakCodes } from '../../src/texts/language';
+import type { Import } from '../../src/api/types';
 import { assetOf } from '../fakes';
 import { importedPiece, importOf, layerOf, meshFormats } from '../samples';
 
@@ -341,6 +343,18 @@ describe('the report of a file', () => {
     expect(kinds()).toEqual(['3 × POLYLINE']);
     fireEvent.input(screen.getByRole('searchbox'), { target: { value: 'nothing of the sort' } });
     expect(screen.getByText('Nothing of that kind.')).toBeTruthy();
+  });
+
+  it('is read in German, kinds and reasons', async () => {
+    await speak('de');
+    await speakCodes();
+    const entities = [{ type: 'panel', layer: '', block: '', fate: 'kept', reason: 'outline', piece: '', count: 2, lines: [] }, { type: 'LINE', layer: '7', block: '', fate: 'kept', reason: 'a new word', piece: '', count: 1, lines: [] }] as Import['report']['entities'];
+    page.show(<ImportReport report={importOf({ report: { ...importOf().report, entities } })} />);
+    const rows = within(screen.getByRole('list', { name: 'Elemente' })).getAllByRole('listitem');
+    expect(rows.map((row) => row.querySelector('b')!.textContent)).toEqual(['2 × Schnittteil', 'LINE']);
+    expect(rows[0]!.querySelectorAll('p')[1]!.textContent).toBe('Umriss.');
+    expect(rows[1]!.querySelector('[lang=en]')!.textContent).toBe('A new word.');
+    await speak('en');
   });
 
   it('is saved', () => {

@@ -154,7 +154,10 @@ export const sentences: Sentences = {
   '{#} m as {}': '{1} m als {2}',
   'the specification says how many of its units make a metre': 'die Spezifikation sagt, wie viele ihrer Einheiten ein Meter sind',
 
-  // Of a specification, after the place in it.
+  // Of a specification: what it is made of, and what was found after the place in it.
+  panel: 'Schnittteil',
+  edge: 'Kante',
+  stitch: 'Naht',
   '{}: an edge of it is stitched already; left out': '{1}: Eine ihrer Kanten ist schon vernäht; weggelassen',
   '{}: edges {} and {} ran past each other; both end at {}': '{1}: Die Kanten {2} und {3} liefen aneinander vorbei; beide enden bei {4}',
 };
