@@ -171,6 +171,14 @@ describe('after a drape that failed', () => {
     expect([state.editing.seam.value, state.tab.value]).toEqual(['s', 'pattern']);
   });
 
+  it('seams are looked for, of a piece that is selected for it', async () => {
+    const { commands, state } = begin({ proposals: async () => [] });
+    await commands.mend({ kind: 'sew', piece: 'front' });
+    expect([state.selected.value, state.tab.value, state.editing.proposals.value]).not.toContain(null);
+    await commands.mend({ kind: 'sew' });
+    expect(state.selected.value).toBe('front');
+  });
+
   it('a piece is shown where it can be placed by hand', async () => {
     const { commands, state } = begin();
     await commands.mend({ kind: 'place', piece: 'front' });

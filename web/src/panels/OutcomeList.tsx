@@ -1,10 +1,10 @@
 // What a drape came to where it is not simply done: what is wrong, lit in both views, and the ways on as buttons.
 
-import type { Report } from '../api/types';
+import type { Pieces, Report } from '../api/types';
 import { useCommands } from '../commands/context';
 import { loading, valueOf } from '../state/AppState';
 import { useAppState } from '../state/context';
-import { fixTitle, outcomesOf, unevenSeams, type Outcome } from '../state/outcome';
+import { fixTitle, outcomesOf, unevenSeams, type Known, type Outcome } from '../state/outcome';
 import { SeamChip } from './SeamChip';
 import { sentence } from '../texts/told';
 
@@ -13,12 +13,7 @@ export function OutcomeList() {
   const job = state.job.value;
   if (!job) return null;
   const pattern = valueOf(state.pieces.value ?? loading);
-  const known = {
-    pieces: (pattern?.pieces ?? []).map((piece) => piece.id),
-    seams: (pattern?.seams ?? []).map((seam) => seam.id),
-    uneven: unevenSeams(pattern?.seams ?? []),
-    max_time_s: pattern?.max_time_s,
-  };
+  const known = knownOf(pattern);
   const report: Report | null = valueOf(state.report.value ?? loading);
   return (
     <>
@@ -27,6 +22,18 @@ export function OutcomeList() {
       ))}
     </>
   );
+}
+
+/** What the words about a drape may name, as the pattern is now. */
+function knownOf(pattern: Pieces | null): Known {
+  const { pieces = [], seams = [], max_time_s } = pattern ?? {};
+  return {
+    pieces: pieces.map(({ id }) => id),
+    seams: seams.map(({ id }) => id),
+    sewn: seams,
+    uneven: unevenSeams(seams),
+    ...(max_time_s !== undefined && { max_time_s }),
+  };
 }
 
 /** `all`: the pattern's seams, in order. */

@@ -1,7 +1,7 @@
 // What a drape came to, where it is not simply done: in words, with what it is about and the ways on. Pure.
 
 import type { Finding } from '../api/dressing';
-import type { Job, Report, Seam } from '../api/types';
+import type { Job, Report, Seam, SeamSides } from '../api/types';
 import type { Texts } from '../texts/en';
 import { told } from '../texts/told';
 import { sentence } from './words';
@@ -148,17 +148,30 @@ function slits(report: Report): Outcome | null {
   };
 }
 
-function leftOut(report: Report): Outcome | null {
+/** Of some pieces, those that no seam leads from to any other piece. */
+function looseOf(pieces: readonly string[], seams: readonly SeamSides[]): string[] {
+  const loose = new Set(pieces);
+  const ends = ({ a, b }: SeamSides): string[] => [...a, ...b].map(({ piece }) => piece);
+  const isWay = (seam: SeamSides): boolean => ends(seam).some((id) => loose.has(id)) && ends(seam).some((id) => !loose.has(id));
+  for (let way = seams.find(isWay); way; way = seams.find(isWay)) ends(way).forEach((id) => loose.delete(id));
+  return [...loose];
+}
+
+function leftOut(report: Report, known: Known): Outcome | null {
   const out = report.findings.filter(({ code, severity }) => code === 'piece.left_out' && severity === 'warning');
   if (out.length === 0) return null;
   const pieces = idsOf(out, 'piece');
+  const [first] = pieces;
+  const loose = looseOf(pieces, known.sewn ?? []);
+  const sew: Fix = loose.length === 1 ? { kind: 'sew', piece: loose[0]! } : { kind: 'sew' };
+  const stand: Fix[] = [{ kind: 'arrange' }, ...(first === undefined ? [] : [{ kind: 'place', piece: first } as const])];
   return {
     tone: 'warn',
     title: t.outcome.leftOut(pieces.length),
-    text: t.outcome.leftOutWhy,
+    text: loose.length > 0 ? t.outcome.leftOutWhy : t.outcome.leftOutSewn,
     seams: [],
     pieces,
-    fixes: [pieces.length === 1 ? { kind: 'sew', piece: pieces[0]! } : { kind: 'sew' }],
+    fixes: loose.length > 0 ? [sew] : stand,
     code: 'piece.left_out',
   };
 }
@@ -184,6 +197,7 @@ function moving(max_time_s: number | undefined): Outcome {
 export interface Known {
   pieces: readonly string[];
   seams: readonly string[];
+  sewn?: readonly SeamSides[];
   /** Seams of which one side is much longer. */
   uneven?: readonly string[];
   /** s of simulated time that its drapes may take. */
@@ -226,7 +240,7 @@ export function outcomesOf(
     behind,
     report.open_seams.length > 0 ? openSeams(report.open_seams, known) : null,
     notWorn(report),
-    leftOut(report),
+    leftOut(report, known),
     slits(report),
     job.reason_code === 'time' ? moving(known.max_time_s) : null,
   ].filter((one) => one !== null);

@@ -187,6 +187,29 @@ describe('a drape under way', () => {
     expect(screen.getByRole('button', { name: '1 front to back' })).toBeTruthy();
   });
 
+  it('looks for seams of pieces that were left out, but stands those anew that are sewn on', () => {
+    const pieces = ['front', 'sleeve', 'cuff', 'pocket'].map((id, i) => squareOf(id, 20 * i, 0, 10));
+    const sewn = (id: string, a: string, b: string) => ({ ...seamOf(id, [a, 'e1'], [b, 'e3']), length_a_mm: 10, length_b_mm: 10, issues: [] });
+    const seams = [sewn('s1', 'cuff', 'sleeve'), sewn('s2', 'sleeve', 'front'), sewn('s3', 'pocket', 'pocket')];
+    const leave = (...ids: string[]): void =>
+      page.change((state) => {
+        const about = ids.map((id) => ({ thing: 'piece' as const, id }));
+        const finding = { code: 'piece.left_out', severity: 'warning' as const, message: 'out', where: '', about, place: [0, 0, 0] as [number, number, number], repaired: false };
+        state.pieces.value = ready({ pieces, seams });
+        state.report.value = ready(reportOf({ worn: 'partly', findings: [finding] }));
+      });
+    leave('sleeve', 'cuff', 'pocket');
+    drape({ state: 'succeeded' });
+    page.show(<OutcomeList />);
+    click(screen.getByRole('button', { name: 'Look for its seams' }));
+    expect(page.asked()).toEqual([['mend', { kind: 'sew', piece: 'pocket' }]]);
+    leave('sleeve', 'cuff');
+    expect(screen.getByText(/^They are sewn on, but/)).toBeTruthy();
+    click(screen.getByRole('button', { name: 'Arrange anew and drape' }));
+    click(screen.getByRole('button', { name: 'Place it by hand' }));
+    expect(page.asked()).toEqual([['mend', { kind: 'arrange' }], ['mend', { kind: 'place', piece: 'sleeve' }]]);
+  });
+
   it('says that a seam’s sides are not made for each other, and leads to it; of what is not worn seams may be wanting', () => {
     const pieces = [squareOf('front', 0, 0, 10), squareOf('back', 20, 0, 10)];
     const seams = [{ ...seamOf('seam3', ['front', 'e1'], ['back', 'e3']), length_a_mm: 415, length_b_mm: 339, issues: [] }];

@@ -12,6 +12,7 @@ export const outcome: Texts['outcome'] = {
   openUneven: 'Eine Seite der weitesten ist viel länger als die andere: Vielleicht endet sie woanders, oder eine Naht daneben fehlt. Sonst ist eine Naht verkehrt herum genäht.',
   notWorn: 'Es wird nicht getragen, wie es sollte',
   leftOutWhy: 'Nichts verbindet sie mit dem Rest, oder das Kleidungsstück ließ sich mit ihnen nicht anziehen; deshalb wurde ohne sie drapiert.',
+  leftOutSewn: 'Sie sind angenäht, aber mit ihnen ließ sich das Kleidungsstück nicht anziehen; es wurde ohne sie drapiert. Stehen sie am Anfang anders, kommen sie vielleicht mit.',
   moved: 'Am Ende bewegte es sich noch',
   movedWhy: 'Die Zeit war um, bevor es zur Ruhe kam. Zu sehen ist der letzte Augenblick; weiter und leichter Stoff braucht am längsten.',
   andMore: 'und mehr',

@@ -11,6 +11,7 @@ export const outcome = {
   openUneven: 'One side of the widest is much longer than the other: it may end elsewhere, or a seam beside it is wanting. Else a seam is sewn the wrong way round.',
   notWorn: 'It is not worn as it should be',
   leftOutWhy: 'Nothing holds them to the rest, or the garment could not be put on with them, so it was draped without them.',
+  leftOutSewn: 'They are sewn on, but the garment could not be put on with them, so it was draped without them. Standing elsewhere at the start, they may come along.',
   moved: 'It still moved at the end',
   movedWhy: 'Its time was up before it came to rest. What is seen is its last moment; wide and light cloth takes longest.',
   andMore: ' and more',
