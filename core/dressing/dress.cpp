@@ -157,14 +157,14 @@ namespace {
 std::vector<Vec3> drawn_together(const sewing::Assembly& assembly, const Wearer& wearer,
                                  const DressingWay& way, const RunContext& context, const ShapeWatch& watch) {
   const sewing::GarmentMesh& g = assembly.garment;
-  const std::vector<Covers> covers = covers_of(assembly, wearer.figure());
+  const std::vector<Covers> covers = covers_of(assembly, wearer.figure(), way.staging.sleeves);
   const std::vector<Vec3> start = staged(assembly, covers, wearer.figure(), way.staging);
   const SlimFigure slim = wearer.slim(way.slim);
   Sewn open = shape_of(assembly, each_for_itself(g.vertex_count()), start);
   ShapeSolver solver(open.mesh, threads_of(g, covers, start), rubber(way));
   AxisGuard guard(axes_of(wearer.skeleton()), open.mesh.triangles, open.x);
   std::optional<KeptOnArms> on_arms;
-  if (way.staging.along_arms) on_arms.emplace(assembly, covers, wearer.figure(), open.x);
+  if (are_along_arms(covers, way.staging.sleeves)) on_arms.emplace(assembly, covers, wearer.figure(), open.x);
   for (int i = 0; i < kSewing && !context.cancelled(); ++i) {
     if (watch && i % kWatched == 0) watch(open.x);
     const std::vector<Vec3> before = open.x;
@@ -335,24 +335,29 @@ void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dre
 bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& a,
               const DressingWay& b) {
   if (a.slim != b.slim || a.least_stretch != b.least_stretch || a.bending != b.bending) return false;
-  const std::vector<Covers> covers = covers_of(assembly, wearer.figure());
-  return staged(assembly, covers, wearer.figure(), a.staging) ==
-         staged(assembly, covers, wearer.figure(), b.staging);
+  const auto start = [&](const Staging& staging) {
+    return staged(assembly, covers_of(assembly, wearer.figure(), staging.sleeves), wearer.figure(), staging);
+  };
+  return start(a.staging) == start(b.staging);
 }
 
-// Folding comes second: it leaves the hems of light cloth turned up, which drawing in as a whole does not.
+// Folding comes after drawing in: it leaves the hems of light cloth turned up, which drawing in as a whole
+// does not.
 const std::vector<DressingWay>& dressing_ways() {
-  static const std::vector<DressingWay> kWays{{{0.12, 0, true, false, Wide::kSmaller, true}, 0.5, 0.3, 0.3},
-                                              {{0.12, 0, true, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
-                                              {{0.12, 0, true, false, Wide::kFolded}, 0.5, 0.3, 0.3},
-                                              {{0.12, 0.05, false, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
-                                              {{0.07, 0.07, true, true, Wide::kSmaller}, 0.5, 0.3, 0.3},
-                                              {{0.05, 0.05, true, false, Wide::kSmaller}, 0.3, 0.3, 0.3},
-                                              {{0, 0, true, false, Wide::kSmaller}, 0.3, 0.9, 0.3},
-                                              {{0.05, 0.05, true, false, Wide::kSmaller}, 0.5, 0.9, 0.03},
-                                              {{0, 0.12, true, false, Wide::kSmaller}, 0.5, 0.3, 0.3},
-                                              {{0, 0, true, false, Wide::kSmaller}, 0.5, 0.9, 0.03},
-                                              {{0.08, 0.08, false, false, Wide::kAsPlaced}, 0.65, 0.3, 0.1}};
+  using enum CutOn;
+  static const std::vector<DressingWay> kWays{
+      {{0.12, 0, true, false, Wide::kSmaller, kAlongFreeArms}, 0.5, 0.3, 0.3},
+      {{0.12, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
+      {{0.12, 0, true, false, Wide::kFolded, kAsPlaced}, 0.5, 0.3, 0.3},
+      {{0.12, 0.05, false, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
+      {{0.07, 0.07, true, true, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
+      {{0.05, 0.05, true, false, Wide::kSmaller, kAsPlaced}, 0.3, 0.3, 0.3},
+      {{0, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.3, 0.9, 0.3},
+      {{0.05, 0.05, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.9, 0.03},
+      {{0, 0.12, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
+      {{0, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.9, 0.03},
+      {{0.08, 0.08, false, false, Wide::kAsPlaced, kAsPlaced}, 0.65, 0.3, 0.1},
+      {{0.12, 0, true, false, Wide::kSmaller, kAlongArms}, 0.5, 0.3, 0.3}};
   return kWays;
 }
 

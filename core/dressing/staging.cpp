@@ -230,18 +230,28 @@ std::vector<double> lifts_of(const sewing::Assembly& assembly, std::span<const C
 
 }  // namespace
 
-std::vector<Covers> covers_of(const sewing::Assembly& assembly, const measure::BodyFigure& f) {
+bool are_along_arms(std::span<const Covers> covers, CutOn sleeves) {
+  return sleeves == CutOn::kAlongArms ||
+         (sleeves == CutOn::kAlongFreeArms &&
+          std::find(covers.begin(), covers.end(), Covers::kArm) == covers.end());
+}
+
+std::vector<Covers> covers_of(const sewing::Assembly& assembly, const measure::BodyFigure& f, CutOn sleeves) {
   const double trunk_top = f.waist + kTrunkTop * (f.armpit[0].y - f.waist);
   std::vector<Covers> covers;
+  std::vector<std::size_t> wide;
   for (std::size_t p = 0; p + 1 < assembly.garment.first_vertex.size(); ++p) {
     const Extent e = extent_of(assembly, p, f.middle);
-    // A circle skirt's pieces reach up beside the trunk.
-    const bool wheel = e.low < f.crotch && e.aside > kWide && !has_cut_on_sleeves(assembly, p, f);
+    const bool wheel = e.low < f.crotch && e.aside > kWide;  // a circle skirt's reach up beside the trunk
     covers.push_back(at_arm(e.middle, f)            ? Covers::kArm
                      : e.middle.y > f.shoulder[0].y ? Covers::kNeck
                      : e.high < trunk_top || wheel  ? Covers::kBelow
                                                     : Covers::kTrunk);
+    if (wheel && covers.back() == Covers::kBelow && e.high >= trunk_top) wide.push_back(p);
   }
+  if (!are_along_arms(covers, sleeves)) return covers;
+  for (const std::size_t p : wide)
+    if (has_cut_on_sleeves(assembly, p, f)) covers[p] = Covers::kTrunk;
   return covers;
 }
 
@@ -271,7 +281,7 @@ std::vector<Vec3> staged(const sewing::Assembly& assembly, std::span<const Cover
                      : waist + (x[i] - top) * narrow.share;
     x[i].y += lifts[piece];
   }
-  if (staging.along_arms) lay_along_arms(assembly, covers, figure, x);
+  if (are_along_arms(covers, staging.sleeves)) lay_along_arms(assembly, covers, figure, x);
   return x;
 }
 

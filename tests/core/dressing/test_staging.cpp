@@ -177,14 +177,15 @@ TEST(Staging, SleevesThatAreCutOnAreToldFromWideSkirts) {
   const sewing::Assembly dress = placed(circle_dress());
   for (const std::size_t piece : {0, 2}) EXPECT_FALSE(dressing::has_cut_on_sleeves(dress, piece, f));
   const sewing::Assembly tunic = placed(t_shape(450, 900));
-  EXPECT_EQ(dressing::covers_of(tunic, f)[0], dressing::Covers::kTrunk) << "however long it is";
+  EXPECT_EQ(dressing::covers_of(tunic, f, dressing::CutOn::kAlongFreeArms)[0], dressing::Covers::kTrunk)
+      << "however long it is";
 }
 
 TEST(Staging, SleevesThatAreCutOnBeginAlongTheArms) {
   const measure::BodyFigure& f = test::person().figure;
   const sewing::Assembly top = placed(t_shape(600, 600));
   dressing::Staging staging;
-  staging.along_arms = true;
+  staging.sleeves = dressing::CutOn::kAlongArms;
   const std::vector<Vec3> x = dressing::staged(top, dressing::covers_of(top, f), f, staging);
   Vec3 hand;
   int count = 0;
