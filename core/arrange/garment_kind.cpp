@@ -13,6 +13,9 @@ constexpr double kLeastWaist = 0.85;
 /// Of both legs' openings, what the waist of trousers measures at most, a fly that is open included.
 constexpr double kMostWaist = 1.8;
 
+/// Times its breadth, that a strip is long.
+constexpr double kStripAspect = 12;
+
 /// What the names tell of all pieces without a name; kUnknown where they tell nothing.
 Cover cover_by_names(const GarmentGraph& graph, const std::vector<std::string>& absent) {
   bool any[9] = {};
@@ -23,6 +26,24 @@ Cover cover_by_names(const GarmentGraph& graph, const std::vector<std::string>& 
     return Cover::kTorso;
   if (has(Cover::kLeg)) return Cover::kLeg;
   return has(Cover::kSkirt) ? Cover::kSkirt : Cover::kUnknown;
+}
+
+/// Whether a piece that is no part of anything by its name is a strip that goes around the neck and down the
+/// fronts: sewn to fronts and backs alike.
+bool is_front_band(const GarmentGraph& graph, Index p) {
+  const GarmentPiece& piece = graph.pieces[p];
+  const Vec2 size = bounding_box(piece.outline).size();
+  if (piece.cover != Cover::kUnknown || piece.tube ||
+      std::max(size.x, size.y) < kStripAspect * std::min(size.x, size.y))
+    return false;
+  bool front = false, back = false;
+  for (const GarmentTie& t : graph.ties) {
+    if (t.a == t.b || (t.a != p && t.b != p)) continue;
+    const int face = graph.pieces[t.a == p ? t.b : t.a].face;
+    front = front || face > 0;
+    back = back || face < 0;
+  }
+  return front && back;
 }
 
 }  // namespace
@@ -36,6 +57,11 @@ Cover cover_by_borders(std::span<const double> borders, double waist) {
 void cover_unnamed(GarmentGraph& graph, const std::vector<std::string>& absent, double waist) {
   Cover rest = cover_by_names(graph, absent);
   if (rest == Cover::kUnknown) rest = cover_by_borders(graph.borders, waist);
+  for (Index p = 0; rest == Cover::kTorso && p < static_cast<Index>(graph.pieces.size()); ++p) {
+    if (!is_front_band(graph, p)) continue;
+    graph.pieces[p].cover = Cover::kCollar;
+    graph.pieces[p].face = 0;
+  }
   double largest = 0;
   for (const GarmentPiece& p : graph.pieces) largest = std::max(largest, p.area);
   for (GarmentPiece& p : graph.pieces) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/dressing/cut_on_sleeves.h"
+#include "core/dressing/long_strips.h"
 #include "core/geometry/distance.h"
 
 namespace toile::dressing {
@@ -282,6 +283,7 @@ std::vector<Vec3> staged(const sewing::Assembly& assembly, std::span<const Cover
     x[i].y += lifts[piece];
   }
   if (are_along_arms(covers, staging.sleeves)) lay_along_arms(assembly, covers, figure, x);
+  lay_on_stitches(assembly, covers, x);
   return x;
 }
 
