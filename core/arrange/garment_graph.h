@@ -24,11 +24,12 @@ struct GarmentPiece {
   double area = 0;             ///< m²
   Vec2 grain;                  ///< unit vector
   Cover cover = Cover::kUnknown;
-  int face = 0;        ///< 1 worn in front, -1 behind, 0 not told
-  int hand = 0;        ///< 1 on the wearer's left, -1 on the right, 0 not told
-  int outside = 1;     ///< 1: the side that is up in the flat pattern is worn outside; -1: inside
-  bool tube = false;   ///< it is sewn to itself, so that it goes around a limb alone
-  bool strap = false;  ///< by its name: it goes over a shoulder and is held by its ends
+  int face = 0;         ///< 1 worn in front, -1 behind, 0 not told
+  int hand = 0;         ///< 1 on the wearer's left, -1 on the right, 0 not told
+  int outside = 1;      ///< 1: the side that is up in the flat pattern is worn outside; -1: inside
+  bool tube = false;    ///< it is sewn to itself, so that it goes around a limb alone
+  bool strap = false;   ///< by its name: it goes over a shoulder and is held by its ends
+  bool edging = false;  ///< a strip around the neck and down the fronts: where it is sewn says nothing of up
 };
 
 /// Two points that a seam brings together, m, each in its own piece's plane.

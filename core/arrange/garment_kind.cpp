@@ -15,6 +15,7 @@ constexpr double kMostWaist = 1.8;
 
 /// Times its breadth, that a strip is long.
 constexpr double kStripAspect = 12;
+constexpr double kLongerThanNeck = 0.9;  ///< m
 
 /// What the names tell of all pieces without a name; kUnknown where they tell nothing.
 Cover cover_by_names(const GarmentGraph& graph, const std::vector<std::string>& absent) {
@@ -28,13 +29,13 @@ Cover cover_by_names(const GarmentGraph& graph, const std::vector<std::string>& 
   return has(Cover::kSkirt) ? Cover::kSkirt : Cover::kUnknown;
 }
 
-/// Whether a piece that is no part of anything by its name is a strip that goes around the neck and down the
-/// fronts: sewn to fronts and backs alike.
+/// Whether a piece is a strip that goes around the neck and down the fronts, a collar by its name or nothing:
+/// longer than a neck, and sewn to fronts and backs alike.
 bool is_front_band(const GarmentGraph& graph, Index p) {
   const GarmentPiece& piece = graph.pieces[p];
   const Vec2 size = bounding_box(piece.outline).size();
-  if (piece.cover != Cover::kUnknown || piece.tube ||
-      std::max(size.x, size.y) < kStripAspect * std::min(size.x, size.y))
+  if ((piece.cover != Cover::kUnknown && piece.cover != Cover::kCollar) || piece.tube) return false;
+  if (std::max(size.x, size.y) < std::max(kLongerThanNeck, kStripAspect * std::min(size.x, size.y)))
     return false;
   bool front = false, back = false;
   for (const GarmentTie& t : graph.ties) {
@@ -61,6 +62,7 @@ void cover_unnamed(GarmentGraph& graph, const std::vector<std::string>& absent, 
     if (!is_front_band(graph, p)) continue;
     graph.pieces[p].cover = Cover::kCollar;
     graph.pieces[p].face = 0;
+    graph.pieces[p].edging = true;
   }
   double largest = 0;
   for (const GarmentPiece& p : graph.pieces) largest = std::max(largest, p.area);

@@ -49,6 +49,7 @@ Vec2 upper_end(const GarmentGraph& graph, const std::vector<Index>& partner, Ind
   for (const GarmentTie& tie : graph.ties) {
     if (tie.a == tie.b || (tie.a != p && tie.b != p)) continue;
     const Index other = tie.a == p ? tie.b : tie.a;
+    if (piece(other).edging) continue;
     const Vec2 at = (tie.a == p ? tie.at_a : tie.at_b) - piece(p).centroid;
     const int sign = level_of(piece(other).cover) - level_of(piece(p).cover);
     if (sign == 0 && piece(p).cover == Cover::kLeg && partner[p] == other) crotch.push_back(at);

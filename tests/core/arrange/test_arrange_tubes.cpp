@@ -95,6 +95,23 @@ TEST(ArrangeTubes, LegsOfOnePieceGoAroundTheirLegs) {
   }
 }
 
+TEST(ArrangeTubes, ABandDownOpenFrontsLiesAroundTheNeckWhateverItIsCalled) {
+  pattern::Pattern pattern;
+  const std::vector<Vec2> left{{0, 0}, {250, 0}, {230, 400}, {185, 600}, {80, 640}, {0, 430}};
+  pattern.panels = {
+      polygon("Back",
+              {{-250, 0}, {250, 0}, {230, 400}, {185, 600}, {80, 640}, {-80, 640}, {-185, 600}, {-230, 400}}),
+      polygon("Front", left), turned_over("Front_2", left),
+      polygon("Front Band", {{0, 0}, {1470, 0}, {1470, 40}, {0, 40}})};
+  pattern.seams = {seam("side_l", {{0, 7}}, {{1, 1}}), seam("side_r", {{0, 1}}, {{2, 4}}),
+                   seam("shoulder_l", {{0, 5}}, {{1, 3}}), seam("shoulder_r", {{0, 3}}, {{2, 2}}),
+                   seam("around", {{3, 0}}, {{2, 0}, {2, 1}, {0, 4}, {1, 4}, {1, 5}})};
+  const Start s = started(pattern);
+  EXPECT_EQ(s.made.pieces[3].where, "collar, around the neck");
+  for (const Index front : {1, 2})
+    EXPECT_LT(std::abs(centre_of(s, front).x), 0.2) << "no room is made for it";
+}
+
 TEST(ArrangeTubes, DungareesAreHeldByTheirCrotchHoweverHighTheBibIs) {
   pattern::Pattern pattern = trousers();
   const double waist = centre_of(started(pattern), 0).y;

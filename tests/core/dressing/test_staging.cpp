@@ -219,6 +219,50 @@ TEST(Staging, ATShapeIsPutOnWithItsSleevesAroundTheArms) {
   }
 }
 
+/// A back, two fronts and a band that goes down the one, around the neck and up the other; 20 mm broad and
+/// `band` long, mm.
+pattern::Pattern open_front(double band) {
+  pattern::Pattern p;
+  p.panels = {test::polygon("back", {{-240, 0},
+                                     {240, 0},
+                                     {220, 400},
+                                     {180, 600},
+                                     {80, 620},
+                                     {-80, 620},
+                                     {-180, 600},
+                                     {-220, 400},
+                                     {-240, 100}}),
+              test::polygon("left", {{5, 0}, {240, 0}, {220, 400}, {180, 600}, {80, 620}, {5, 450}}),
+              test::polygon("right", {{-240, 0}, {-5, 0}, {-5, 450}, {-80, 620}, {-180, 600}, {-220, 400}}),
+              test::polygon("band", {{0, 0}, {band, 0}, {band, 20}, {0, 20}})};
+  p.seams = {test::seam("shoulder_l", {{0, 6}}, {{1, 3}}), test::seam("shoulder_r", {{0, 3}}, {{2, 3}}),
+             test::seam("around", {{3, 0}}, {{2, 1}, {2, 2}, {0, 4}, {1, 4}, {1, 5}})};
+  return p;
+}
+
+TEST(Staging, ALongBandBeginsOnTheStitchesThatHoldIt) {
+  const measure::BodyFigure& f = test::person().figure;
+  const double y = f.shoulder[0].y - 0.6;
+  const pattern::Pattern p = open_front(1430);
+  const auto meshes = mesh::make_panel_meshes(p, 0.03, {}).value();
+  const sewing::RigidPlacement front{{0, y, 0.2}, {}, false};
+  const sewing::RigidPlacement back{{0, y, -0.2}, {0, std::numbers::pi, 0}, false};
+  sewing::WrappedPlacement around;
+  around.radius = 0.24;
+  around.height = f.neck;
+  const auto a = sewing::assemble(meshes, {back, front, front, around}, {}).value();
+  const std::vector<Vec3> x = dressing::staged(a, dressing::covers_of(a, f), f, {});
+  int sewn = 0;
+  for (const auto& [i, j] : a.garment.sewn) {
+    if (a.garment.panel_of_vertex[i] != 3 && a.garment.panel_of_vertex[j] != 3) continue;
+    EXPECT_LT(length(x[i] - x[j]), 0.25) << "in the corner between two pieces it lies between them";
+    sewn += length(x[i] - x[j]) < 1e-9;
+  }
+  EXPECT_GT(sewn, 30);
+  for (Index v = a.garment.first_vertex[3]; v < a.garment.first_vertex[4]; ++v)
+    EXPECT_LT(std::abs(x[v].z), 0.216) << "the free side lies close to what it is sewn to";
+}
+
 TEST(Staging, FoldingIsNoOtherWayWhereNothingIsWide) {
   const dressing::Wearer wearer(test::person());
   const std::vector<dressing::DressingWay>& ways = dressing::dressing_ways();
