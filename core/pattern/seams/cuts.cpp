@@ -1,6 +1,7 @@
 #include "core/pattern/seams/cuts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -85,6 +86,7 @@ bool has_partner(const SeamModel& m, Index r) {
 struct Two {
   const Line* first = nullptr;
   const Line* second = nullptr;
+  const Line* between = nullptr;  ///< a yoke's end
   double worth = 0;
 };
 
@@ -96,6 +98,23 @@ bool is_set_in(const SeamModel& m, Index cap, Index x, Index y) {
   };
   return m.runs[cap].cap && !m.tailored && armhole(x) && armhole(y) &&
          m.words[m.runs[x].panel].face * m.words[m.runs[y].panel].face < 0;
+}
+
+/// The end of a yoke that makes up what two armholes are short of a cap of that length, mm: the sleeve is set
+/// into all three. Null where none does.
+const Line* yoke_between(const SeamModel& m, const std::vector<Line>& lines, double short_of, double length) {
+  const Line* best = nullptr;
+  double least = kCutWeights.yoke * length;
+  for (const Line& line : lines) {
+    const PieceWords& words = m.words[m.runs[line.runs[0]].panel];
+    const bool yoke = (words.kind == PieceKind::kOther || words.kind == PieceKind::kTorso) &&
+                      words.face == 0 && !words.layer && !words.limb;
+    const double off = std::abs(short_of - line.length);
+    if (!yoke || line.length < kCutWeights.shortest_mm || off >= least) continue;
+    least = off;
+    best = &line;
+  }
+  return best;
 }
 
 /// The best two lines to sew run r to, that have up to `ease` less than its length.
@@ -115,9 +134,11 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
       if (same_piece || lines[j].bent || !other_piece(lines[j]) ||
           std::min(lines[i].length, lines[j].length) < length / kCutWeights.most_parts)
         continue;
+      const Line* yoke = sum < length * (1 - ease) ? yoke_between(m, lines, length - sum, length) : nullptr;
       const int ends = meeting_ends(m, lines[i], lines[j]);
-      const double worth = ends - difference(sum, length) / std::max(most, kCutWeights.ease);
-      if (ends > 0 && worth > best.worth) best = {&lines[i], &lines[j], worth};
+      const double off = yoke != nullptr ? 0 : difference(sum, length);
+      const double worth = ends - off / std::max(most, kCutWeights.ease);
+      if (ends > 0 && worth > best.worth) best = {&lines[i], &lines[j], yoke, worth};
     }
   }
   return best;
@@ -143,14 +164,12 @@ const Line* best_one(const SeamModel& m, const std::vector<Line>& lines, Index r
 std::vector<double> places_on(const SeamModel& m, const Two& two, double length, bool second_first) {
   std::vector<double> parts;
   double sum = 0;
-  for (const Line* line : {two.second, two.first}) {  // outlines run against each other
+  std::array<const Line*, 3> order{two.second, two.between, two.first};  // outlines run against each other
+  if (second_first) std::swap(order.front(), order.back());
+  for (const Line* line : order) {
     if (line == nullptr) continue;
     sum += line->length;
     for (auto r = line->runs.rbegin(); r != line->runs.rend(); ++r) parts.push_back(m.runs[*r].length);
-  }
-  if (second_first) {
-    const auto middle = static_cast<std::ptrdiff_t>(two.second->runs.size());
-    std::rotate(parts.begin(), parts.begin() + middle, parts.end());
   }
   const double scale = length / sum;
   std::vector<double> places;
@@ -169,7 +188,7 @@ double climb(const SeamModel& m, Index first, Index last) {
 /// they are worn: where both rise, lower ends meet.
 std::vector<double> darts_on(const SeamModel& m, const Line& line, Index r) {
   const double length = m.runs[r].length;
-  std::vector<double> places = places_on(m, {&line, nullptr, 0}, length, false);
+  std::vector<double> places = places_on(m, {&line, nullptr, nullptr, 0}, length, false);
   const double a = climb(m, line.runs.front(), line.runs.back()), b = climb(m, r, r);
   if (std::min(std::abs(a), std::abs(b)) < kCutWeights.rising || a * b < 0) return places;
   for (double& place : places) place = length - place;

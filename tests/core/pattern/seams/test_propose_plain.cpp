@@ -293,6 +293,33 @@ TEST(PlainGarments, CuffsOfTrousersTakeTheHemsOfFrontAndBack) {
   EXPECT_FALSE(worn.has({"Cuff.e2"}, {"Back Leg.e0"})) << "not one of them alone";
 }
 
+TEST(PlainGarments, ASleeveIsSetIntoFrontYokeAndBack) {
+  const pattern::Panel yoke =
+      piece("Yoke",
+            {{-200, 0}, {200, 0}, {190, 70}, {80, 110, Vec2{50, 95}, Vec2{-50, 95}}, {-80, 110}, {-190, 70}});
+  const pattern::Panel back = piece("Back", {{-265, 0},
+                                             {265, 0},
+                                             {255, 430, Vec2{215, 445}, Vec2{205, 490}},
+                                             {200, 540},
+                                             {-200, 540, Vec2{-205, 490}, Vec2{-215, 445}},
+                                             {-255, 430}});
+  const pattern::Panel front = piece("Front", {{-270, 0},
+                                               {270, 0},
+                                               {255, 430, Vec2{205, 445}, Vec2{195, 560}},
+                                               {190, 620},
+                                               {80, 660, Vec2{70, 575}, Vec2{-70, 575}},
+                                               {-80, 660},
+                                               {-190, 620, Vec2{-195, 560}, Vec2{-205, 445}},
+                                               {-255, 430}});
+  const pattern::Panel sleeve =
+      piece("Sleeve", {{-130, 0}, {130, 0}, {192, 430, Vec2{90, 520}, Vec2{-90, 520}}, {-192, 430}});
+  const WornSeams worn({yoke, back, front, sleeve, mirrored(sleeve, "Sleeve_2")});
+  EXPECT_TRUE(worn.has({"Back.e3"}, {"Yoke.e0"}));
+  for (const char* end : {"Yoke.e1", "Yoke.e5"}) EXPECT_TRUE(worn.takes(end)) << end << ", into a sleeve";
+  EXPECT_TRUE(worn.takes("Yoke.e2") && worn.takes("Yoke.e4")) << "the shoulders";
+  EXPECT_FALSE(worn.takes("Yoke.e3")) << "the neck";
+}
+
 TEST(PlainGarments, BandsAreTakenAtTheirWord) {
   EXPECT_EQ(seams::words_of("NECK RIB").kind, seams::PieceKind::kCollar);
   EXPECT_TRUE(seams::words_of("hem_band").hem_band);
