@@ -237,15 +237,13 @@ bool is_crotch(const SeamModel& m, const SeamRun& run) {
   return run.length < kPairWeights.crotch * m.girth[run.panel] && lies_between_hollows(m, run);
 }
 
-/// Whether the run may be below the arm of a sleeve that is cut on: it faces down and meets a side in a
-/// corner that turns in.
+}  // namespace
+
 bool is_below_arm(const SeamModel& m, const SeamRun& run) {
   const SeamRun& after = m.runs[run.next];
   if (after.angle > kPairWeights.turns_in_deg && begins_at_hem(m, after)) return true;
   return run.angle > kPairWeights.turns_in_deg && begins_at_hem(m, run_before(m, run));
 }
-
-}  // namespace
 
 int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (a.panel == b.panel) return 0;

@@ -10,6 +10,10 @@ namespace toile::seams {
 /// it, by their names: +1; −1 where they say the contrary; else 0.
 int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 
+/// Whether the run may be below the arm of a sleeve that is cut on: it faces down and meets a side in a
+/// corner that turns in.
+bool is_below_arm(const SeamModel& model, const SeamRun& run);
+
 /// Whether a sleeve is sewn to a bodice, which is no longer than it: caps are often gathered, but for those
 /// of tailored sleeves, which are eased.
 bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b);

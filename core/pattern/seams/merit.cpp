@@ -131,7 +131,8 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   if (!sides && (!twins || a.panel == b.panel) &&
       std::max(a.turn.back(), b.turn.back()) < kPairWeights.hollow_deg)
     merit += are_torsos(m, i, j) ? kPairWeights.two_armholes : kPairWeights.two_hollows;
-  if (turns_in(m, a) && turns_in(m, b)) merit += kPairWeights.two_corners;
+  if (turns_in(m, a) && turns_in(m, b) && !(is_below_arm(m, a) && is_below_arm(m, b)))
+    merit += kPairWeights.two_corners;
   if (stays_open(m, a, b)) merit += kPairWeights.stays_open;
   merit += row_merit(m, a, b);
   if (is_of_vent(m, i, j)) merit += kPairWeights.vent;

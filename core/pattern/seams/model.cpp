@@ -171,7 +171,8 @@ void find_between(SeamModel& m) {
 }
 
 /// Whether the piece has a shoulder by its shape: a straight edge between two hollow ones, armhole and neck;
-/// or two straight ones that face up, with a hollow neck between them, as where sleeves are cut on.
+/// or two straight ones that face up, with a hollow or pointed neck between them, as where sleeves are cut
+/// on.
 bool has_shoulder(const SeamModel& m, Index panel) {
   const auto slopes = [](const SeamRun& run) {
     return bend_of(run) < kPairWeights.straight_deg && run.up > kPairWeights.level_shoulder_up;
@@ -180,9 +181,12 @@ bool has_shoulder(const SeamModel& m, Index panel) {
     if (run.panel != panel) return false;
     if (bend_of(run) < kPairWeights.straight_deg && lies_between_hollows(m, run)) return true;
     const SeamRun& neck = m.runs[run.next];
-    const SeamRun& other = m.runs[neck.next];
+    const SeamRun& after = m.runs[neck.next];
+    const bool pointed = equally_long(neck.length, after.length) && after.angle > kPairWeights.pointed_deg;
+    const SeamRun& other = pointed ? m.runs[after.next] : after;
+    const bool hollow = pointed || neck.turn.back() < kPairWeights.neck_deg;
     return &other != &run && slopes(run) && slopes(other) && equally_long(run.length, other.length) &&
-           neck.turn.back() < kPairWeights.neck_deg && neck.up > kPairWeights.facing;
+           hollow && neck.up > (pointed ? 0 : kPairWeights.facing);
   });
 }
 

@@ -72,7 +72,6 @@ constexpr Term kTerms[] = {
     {"vorn", "front"},
     {"hinten", "back"},
     {"rucken", "back"},
-    {"ruecken", "back"},
     {"links", "left"},
     {"linke", "left"},
     {"linker", "left"},
@@ -84,7 +83,6 @@ constexpr Term kTerms[] = {
     {"seite", "side"},
     {"seitenteil", "side"},
     {"armel", "sleeve"},
-    {"aermel", "sleeve"},
     {"kragen", "collar"},
     {"kragensteg", "collar stand"},
     {"steg", "stand"},
@@ -93,11 +91,9 @@ constexpr Term kTerms[] = {
     {"kapuze", "hood"},
     {"manschette", "cuff"},
     {"armelbundchen", "cuff"},
-    {"aermelbuendchen", "cuff"},
     {"beinbundchen", "cuff"},
     {"bund", "waistband"},
     {"gurtel", "belt"},
-    {"guertel", "belt"},
     {"rock", "skirt"},
     {"hose", "pants"},
     {"bein", "leg"},
@@ -109,10 +105,8 @@ constexpr Term kTerms[] = {
     {"sattel", "yoke"},
     {"blende", "band"},
     {"trager", "strap"},
-    {"traeger", "strap"},
     {"volant", "ruffle"},
     {"rusche", "ruffle"},
-    {"ruesche", "ruffle"},
     {"zwickel", "gusset"},
     {"tasche", "pocket"},
     {"beleg", "facing"},
@@ -295,22 +289,35 @@ constexpr Term kTerms[] = {
     {"bluzka", "blouse"}};
 
 /// Compounds: what a word begins with …
-constexpr Term kBeginnings[] = {{"vorder", "front"}, {"voor", "front"},   {"rucken", "back"},
-                                {"ruecken", "back"}, {"hinter", "back"},  {"achter", "back"},
-                                {"seiten", "side"},  {"hals", "neck"},    {"saum", "hem"},
-                                {"bauch", "waist"},  {"taillen", "waist"}};
+constexpr Term kBeginnings[] = {
+    {"vorder", "front"}, {"voor", "front"}, {"rucken", "back"}, {"hinter", "back"}, {"achter", "back"},
+    {"seiten", "side"},  {"hals", "neck"},  {"saum", "hem"},    {"bauch", "waist"}, {"taillen", "waist"}};
 /// … and ends with.
-constexpr Term kEndings[] = {
-    {"armel", "sleeve"},        {"aermel", "sleeve"},      {"kragen", "collar"},
-    {"manschette", "cuff"},     {"bundchen", "rib"},       {"buendchen", "rib"},
-    {"hosenbund", "waistband"}, {"rockbund", "waistband"}, {"taillenbund", "waistband"},
-    {"hose", "pants"},          {"hosenteil", "pants"},    {"rock", "skirt"},
-    {"rockteil", "skirt"},      {"passe", "yoke"},         {"trager", "strap"},
-    {"traeger", "strap"},       {"tasche", "pocket"},      {"taschenbeutel", "pocket"},
-    {"beleg", "facing"},        {"futter", "lining"},      {"kleid", "dress"},
-    {"hemd", "shirt"},          {"bluse", "blouse"},       {"mantel", "coat"},
-    {"jacke", "jacket"},        {"mouw", "sleeve"},        {"kraag", "collar"},
-    {"broek", "pants"}};
+constexpr Term kEndings[] = {{"armel", "sleeve"},
+                             {"kragen", "collar"},
+                             {"manschette", "cuff"},
+                             {"bundchen", "rib"},
+                             {"hosenbund", "waistband"},
+                             {"rockbund", "waistband"},
+                             {"taillenbund", "waistband"},
+                             {"hose", "pants"},
+                             {"hosenteil", "pants"},
+                             {"rock", "skirt"},
+                             {"rockteil", "skirt"},
+                             {"passe", "yoke"},
+                             {"trager", "strap"},
+                             {"tasche", "pocket"},
+                             {"taschenbeutel", "pocket"},
+                             {"beleg", "facing"},
+                             {"futter", "lining"},
+                             {"kleid", "dress"},
+                             {"hemd", "shirt"},
+                             {"bluse", "blouse"},
+                             {"mantel", "coat"},
+                             {"jacke", "jacket"},
+                             {"mouw", "sleeve"},
+                             {"kraag", "collar"},
+                             {"broek", "pants"}};
 
 constexpr std::string_view kArticles[] = {"de",  "du",  "des", "la",  "le",  "les", "el",    "los", "las",
                                           "del", "der", "die", "das", "dei", "di",  "della", "do",  "da"};
@@ -326,24 +333,40 @@ std::optional<std::string_view> english_of(const Terms& terms, std::string_view 
   return met == std::end(terms) ? std::nullopt : std::optional(met->english);
 }
 
-/// Both parts of a compound; the word itself where neither is known.
-std::string english_parts(const std::string& word) {
+/// Both parts of a compound; empty where neither is known.
+std::string english_parts(std::string_view word) {
   std::string parts;
-  const auto add = [&](std::string_view english) {
-    parts += (parts.empty() ? "" : " ") + std::string(english);
-  };
   for (const Term& t : kBeginnings) {
     if (word.size() <= t.foreign.size() || !word.starts_with(t.foreign)) continue;
-    add(t.english);
+    parts = t.english;
+    word.remove_prefix(t.foreign.size());
     break;
   }
+  if (!parts.empty() && word == "band") return parts + " band";
   const Term* longest = nullptr;
   for (const Term& t : kEndings) {
     if (!word.ends_with(t.foreign)) continue;
     if (longest == nullptr || t.foreign.size() > longest->foreign.size()) longest = &t;
   }
-  if (longest != nullptr) add(longest->english);
-  return parts.empty() ? word : parts;
+  if (longest != nullptr) parts += (parts.empty() ? "" : " ") + std::string(longest->english);
+  return parts;
+}
+
+/// Empty where the word is not known.
+std::string english_word(std::string_view word) {
+  const auto told = english_of(kTerms, word);
+  return told ? std::string(*told) : english_parts(word);
+}
+
+/// "aermel" as "armel": vowels with two dots are written so where there are none.
+std::string without_transcriptions(std::string_view word) {
+  std::string out;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const bool dotted =
+        i > 0 && word[i] == 'e' && (word[i - 1] == 'a' || word[i - 1] == 'o' || word[i - 1] == 'u');
+    if (!dotted) out += word[i];
+  }
+  return out;
 }
 
 }  // namespace
@@ -353,14 +376,15 @@ std::vector<std::string> words_of_piece(std::string_view name) {
   std::erase_if(words, [](const std::string& w) { return is_article(w); });
   std::string english;
   for (std::size_t k = 0; k < words.size(); ++k) {
-    std::optional<std::string_view> told;
-    if (k + 1 < words.size()) told = english_of(kTerms, words[k] + " " + words[k + 1]);
-    if (told) {
+    std::string told;
+    if (k + 1 < words.size()) told = english_of(kTerms, words[k] + " " + words[k + 1]).value_or("");
+    if (!told.empty()) {
       ++k;
     } else {
-      told = english_of(kTerms, words[k]);
+      told = english_word(words[k]);
+      if (told.empty()) told = english_word(without_transcriptions(words[k]));
     }
-    english += " " + (told ? std::string(*told) : english_parts(words[k]));
+    english += " " + (told.empty() ? words[k] : told);
   }
   return words_of_name(english);
 }

@@ -62,6 +62,7 @@ struct PairWeights {
   double height = 1.5;         ///< times the correlation of the two edges' heights
   double facing = 0.8;         ///< how much an edge faces up or down that does
   double facing_fully = 0.97;  ///< waists; shoulders slope
+  double pointed_deg = 190;    ///< corner of a neck that is cut to a point
   double neck_deg = -20;       ///< turning of a neck at least, and of an armhole beside a shoulder
   double level_up = 0.995;     ///< a straight neck is level
   double off_neck = 0.6;       ///< how much an edge faces the side that is at no neck
@@ -194,7 +195,7 @@ struct GarmentWeights {
   int openings = 3;             ///< that count
   double narrow = -6;           ///< a border of the bodice alone that nothing passes through: …
   double narrow_share = 0.28;   ///< … under this share of the bodice's girth, …
-  double narrow_most_mm = 300;  ///< … and this: sleeves that are cut on widen it
+  double narrow_most_mm = 260;  ///< … and this: sleeves that are cut on widen it
   double shut = -1.5;           ///< a piece without any free edge
   double both_limbs = -10;      ///< a piece of a sleeve that is sewn to the left one and to the right one
   double strap_across = -6;     ///< a strap from a front to the same front …

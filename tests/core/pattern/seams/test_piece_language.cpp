@@ -24,6 +24,8 @@ TEST(PieceLanguage, AccentsAndTheirTranscriptionsAreOne) {
   for (const char* name : {"\u00c4rmel", "Aermel", "AERMEL", "\u00e4rmel_2"})
     EXPECT_EQ(words_of_piece(name), (Words{"sleeve"})) << name;
   EXPECT_EQ(words_of_piece("R\u00fcckenteil").front(), "back");
+  EXPECT_EQ(words_of_piece("Rueckenteil"), words_of_piece("R\u00fcckenteil"));
+  EXPECT_EQ(words_of_piece("BEINBUENDCHEN"), (Words{"cuff"}));
   EXPECT_EQ(words_of_piece("pu\u00f1o derecho"), (Words{"cuff", "right"}));
   EXPECT_EQ(words_of_piece("ko\u0142nierz"), (Words{"collar"}));
   EXPECT_EQ(words_of_piece("prz\u00f3d lewy"), (Words{"front", "left"}));
@@ -42,6 +44,8 @@ TEST(PieceLanguage, CompoundsAreTakenApart) {
   EXPECT_EQ(words_of_piece("Saumb\u00fcndchen"), (Words{"hem", "rib"}));
   EXPECT_EQ(words_of_piece("Hosenbund"), (Words{"waistband"}));
   EXPECT_EQ(words_of_piece("achterpand"), (Words{"back"}));
+  EXPECT_EQ(words_of_piece("voorband"), (Words{"front", "band"}));
+  EXPECT_EQ(words_of_piece("waistband blue"), (Words{"waistband", "blue"}));
 }
 
 TEST(PieceLanguage, WhatIsToldInOtherWordsIsUnderstood) {

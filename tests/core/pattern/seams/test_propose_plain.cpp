@@ -320,6 +320,26 @@ TEST(PlainGarments, ASleeveIsSetIntoFrontYokeAndBack) {
   EXPECT_FALSE(worn.takes("Yoke.e3")) << "the neck";
 }
 
+TEST(PlainGarments, ATShapeWithAPointedNeckIsSewnAsOthers) {
+  const auto tunic = [](const std::string& name, double point) {
+    return piece(name, {{-300, 0},
+                        {300, 0},
+                        {255, 620},
+                        {560, 650},
+                        {550, 790},
+                        {80, 830},
+                        {0, point},
+                        {-80, 830},
+                        {-550, 790},
+                        {-560, 650},
+                        {-255, 620}});
+  };
+  const WornSeams worn({tunic("Front", 640), tunic("Back", 770)});
+  EXPECT_TRUE(worn.has({"Front.e2"}, {"Back.e9"})) << "below the arm";
+  EXPECT_TRUE(worn.has({"Front.e4"}, {"Back.e7"})) << "above it";
+  EXPECT_FALSE(worn.takes("Front.e3")) << "the wrist";
+}
+
 TEST(PlainGarments, BandsAreTakenAtTheirWord) {
   EXPECT_EQ(seams::words_of("NECK RIB").kind, seams::PieceKind::kCollar);
   EXPECT_TRUE(seams::words_of("hem_band").hem_band);
