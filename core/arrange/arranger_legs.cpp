@@ -11,6 +11,7 @@
 #include "core/arrange/arranger.h"
 #include "core/arrange/leg_piece.h"
 #include "core/arrange/piece_cover.h"
+#include "core/geometry/polygon2.h"
 
 namespace toile::arrange {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/arrange/piece_cover.h"
+#include "core/geometry/polygon2.h"
 
 namespace toile::arrange {
 
