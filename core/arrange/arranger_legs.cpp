@@ -22,6 +22,8 @@ namespace {
 constexpr double kLeastAtFork = 0.72, kLeastAtHem = 0.85, kMostOfLeg = 0.95;
 constexpr double kOffTrunk = 0.02, kFromMiddle = 0.01, kForkLow = 0.037;  // m
 
+constexpr double kSteepestLeg = 0.6;  // as WrappedPlacement::slope: shorts are hardly longer than wide
+
 double sign_of(measure::BodySide side) { return side == measure::kWearersLeft ? 1 : -1; }
 
 double radius_of(double around, double wanted, double least) {
@@ -70,7 +72,7 @@ sewing::WrappedPlacement Arranger::around_leg(Index p, const LegPiece& leg, doub
   w.up = normalized(above - below);
   w.height = 0;
   w.radius = at_fork;
-  w.slope = (at_hem - at_fork) / leg.length;
+  w.slope = std::clamp((at_hem - at_fork) / leg.length, -kSteepestLeg, kSteepestLeg);
   w.angle = sign_of(side) * std::numbers::pi / 2;
   w.anchor = leg.fork;
   w.turn = std::numbers::pi / 2 - std::atan2(leg.up.y, leg.up.x);

@@ -51,15 +51,12 @@ Wing wing_of(const sewing::GarmentMesh& g, const std::vector<bool>& border, std:
   return wing;
 }
 
-/// Height of the arm's middle line at a distance from the body's middle plane.
-double height_of_arm(const measure::ArmLine& arm, double aside, double middle) {
-  const std::array<Vec3, 3> corners{arm.root, arm.elbow, arm.wrist};
-  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    const double from = std::abs(corners[i].x - middle), to = std::abs(corners[i + 1].x - middle);
-    if (aside > to && i + 2 < corners.size()) continue;
-    return corners[i].y + (corners[i + 1].y - corners[i].y) * (aside - from) / std::max(1e-6, to - from);
-  }
-  return arm.root.y;
+/// Height of the arm's line at a distance from the body's middle plane at which the arm has not left the
+/// trunk yet; of arms that hang down, not much above their root.
+double begin_of_arm(const measure::ArmLine& arm, double aside, double middle) {
+  constexpr double kLeastOut = 0.5;  // of a length along the arm
+  const double back = std::abs(arm.root.x - middle) - aside;
+  return arm.root.y - arm.along().y * back / std::max(kLeastOut, std::abs(arm.along().x));
 }
 
 }  // namespace
@@ -88,16 +85,16 @@ void lay_along_arms(const sewing::Assembly& assembly, std::span<const Covers> co
       const double side = arm.root.x > f.middle ? 1 : -1, shorter = std::abs(arm.along().x);
       const Wing wing = wing_of(g, border, p, f, side, x);
       if (wing.reach < kReaches * room) continue;
-      const auto on_arm = [&](double aside) { return height_of_arm(arm, aside, f.middle); };
+      const double top = begin_of_arm(arm, begin, f.middle);
       for (Index v = g.first_vertex[p]; v < g.first_vertex[p + 1]; ++v) {
         const double aside = side * (x[v].x - f.middle);
         if (aside < begin) continue;
-        const double out = begin + (aside - begin) * shorter;
-        const double line = std::lerp(on_arm(begin), wing.opening, (aside - begin) / (wing.reach - begin));
+        const double line = std::lerp(top, wing.opening, (aside - begin) / (wing.reach - begin));
+        const double on_arm = top + (aside - begin) * arm.along().y;
         const double t = std::clamp((aside - begin) / kBend, 0.0, 1.0), share = t * t * (3 - 2 * t);
-        x[v].x = f.middle + side * out;
+        x[v].x = f.middle + side * (begin + (aside - begin) * shorter);
         // What hangs far below the arms, as of a poncho, is not raised to them.
-        x[v].y += share * std::min(0.0, on_arm(out) - line);
+        x[v].y += share * std::min(0.0, on_arm - line);
       }
     }
   }

@@ -39,6 +39,12 @@ std::vector<Stitch> stitches_of(const sewing::GarmentMesh& g, std::span<const Co
   return stitches;
 }
 
+bool closes_in_itself(const sewing::GarmentMesh& g, Index panel) {
+  return std::any_of(g.sewn.begin(), g.sewn.end(), [&](const auto& pair) {
+    return g.panel_of_vertex[pair[0]] == panel && g.panel_of_vertex[pair[1]] == panel;
+  });
+}
+
 bool is_long_strip(const sewing::GarmentMesh& g, Index panel, const std::vector<Stitch>& stitches) {
   Aabb2 all, held;
   for (Index v = g.first_vertex[panel]; v < g.first_vertex[panel + 1]; ++v) all.add(g.rest[v]);
@@ -57,7 +63,7 @@ void lay_on_stitches(const sewing::Assembly& assembly, std::span<const Covers> c
   for (Index p = 0; p + 1 < static_cast<Index>(g.first_vertex.size()); ++p) {
     if (covers[static_cast<std::size_t>(p)] == Covers::kTrunk) continue;
     const std::vector<Stitch> stitches = stitches_of(g, covers, p, x);
-    if (!is_long_strip(g, p, stitches)) continue;
+    if (!is_long_strip(g, p, stitches) || closes_in_itself(g, p)) continue;
     for (Index v = g.first_vertex[p]; v < g.first_vertex[p + 1]; ++v) {
       const auto nearest =
           std::min_element(stitches.begin(), stitches.end(), [&](const Stitch& a, const Stitch& b) {

@@ -10,8 +10,8 @@
 
 namespace toile::dressing {
 
-/// Lays strips that one of their long sides holds to pieces for the trunk upon the stitches of these,
-/// wherever those begin. `x`: one position a garment vertex, m.
+/// Lays strips that do not close in themselves and that one of their long sides holds to pieces for the trunk
+/// upon the stitches of these, wherever those begin. `x`: one position a garment vertex, m.
 void lay_on_stitches(const sewing::Assembly& assembly, std::span<const Covers> covers, std::vector<Vec3>& x);
 
 }  // namespace toile::dressing

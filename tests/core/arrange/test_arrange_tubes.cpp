@@ -95,6 +95,19 @@ TEST(ArrangeTubes, LegsOfOnePieceGoAroundTheirLegs) {
   }
 }
 
+TEST(ArrangeTubes, LegsShorterThanTheyAreWideStandSomewhere) {
+  pattern::Pattern pattern = leggings(300);
+  const std::vector<Vec2> shorts{{-300, 700}, {300, 700},   {225, 720},  {190, 780},
+                                 {185, 960},  {-200, 1000}, {-210, 800}, {-275, 720}};
+  pattern.panels[0] = polygon("leg_a", shorts);
+  pattern.panels[1] = turned_over("leg_b", shorts);
+  const Start s = started(pattern);
+  for (const Vec3& p : s.assembly.positions) {
+    ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+    ASSERT_LT(length(p - Vec3{0, figure().crotch, 0}), 1.5);
+  }
+}
+
 TEST(ArrangeTubes, ABandDownOpenFrontsLiesAroundTheNeckWhateverItIsCalled) {
   pattern::Pattern pattern;
   const std::vector<Vec2> left{{0, 0}, {250, 0}, {230, 400}, {185, 600}, {80, 640}, {0, 430}};
