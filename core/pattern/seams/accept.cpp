@@ -68,6 +68,14 @@ std::vector<char> loose_panels(const pattern::Pattern& pattern, std::span<const 
   return loose;
 }
 
+/// Whether the seam closes a leg of one piece: open it would be half a skirt.
+bool closes_leg(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& edges) {
+  const Index panel = edges.front().panel;
+  return words_of(pattern.panels[panel].id).leg &&
+         std::all_of(edges.begin(), edges.end(),
+                     [&](const pattern::SeamEdge& e) { return e.panel == panel; });
+}
+
 }  // namespace
 
 std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double least_confidence) {
@@ -93,7 +101,8 @@ std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const 
     const std::vector<pattern::SeamEdge> edges = both_sides(p);
     const bool wanted = std::any_of(edges.begin(), edges.end(),
                                     [&](const pattern::SeamEdge& e) { return loose[e.panel] != 0; });
-    if (sewn[i] || p.confidence < kLikely || taken.clashes(p) || !(wanted || taken.goes_on(p))) continue;
+    if (sewn[i] || p.confidence < kLikely || taken.clashes(p)) continue;
+    if (!wanted && !taken.goes_on(p) && !closes_leg(pattern, edges)) continue;
     sewn[i] = true;
     taken.take(p);
   }

@@ -70,6 +70,19 @@ TEST(AcceptSeams, TheRestOfAnEdgeThatIsSewnInPartIsSewnWithIt) {
   EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8), (std::vector<bool>{true, true, true, false}));
 }
 
+TEST(AcceptSeams, ALegOfOnePieceIsClosedByALikelySeam) {
+  pattern::Pattern pattern;
+  for (const char* name : {"LEG", "LEG_2", "APRON"})
+    pattern.panels.push_back(test::polygon(name, {{0, 0}, {90, 0}, {90, 120}, {0, 120}}));
+  const std::vector<seams::SeamProposal> proposals{
+      proposal(0.95, {0, 2}, {1, 2}), proposal(0.9, {1, 0}, {2, 0}),  // all of them hang together
+      proposal(0.6, {0, 1}, {0, 3}),                                  // closes the leg
+      proposal(0.6, {2, 1}, {2, 3}),                                  // an apron is open
+      proposal(0.45, {1, 1}, {1, 3})};                                // a guess
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8),
+            (std::vector<bool>{true, true, true, false, false}));
+}
+
 TEST(AcceptSeams, WhereNothingIsSureTheLikelyIsSewn) {
   const std::vector<seams::SeamProposal> proposals{proposal(0.7, {0, 1}, {1, 3}),
                                                    proposal(0.6, {0, 3}, {1, 1})};
