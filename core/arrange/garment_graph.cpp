@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kAlike = 0.01;      ///< relative
 constexpr double kDartPoint = 2e-3;  ///< m; a dart's sides end that near to each other
+constexpr double kLeastLimb = 0.12;  ///< m; nothing is worn around less
 constexpr std::size_t kSamples = 96;
 
 /// Number of each vertex along its panel's outline, kNone inside.
@@ -79,8 +80,8 @@ bool is_dart(const TieRun& run, const mesh::PanelMeshes& meshes, const std::vect
   const double long_side = length(rest[first.a.vertex] - rest[last.a.vertex]);
   // The stitch in a dart's point joins a vertex to itself and is left out, so the last one has some width.
   const double narrow = std::min(gap(first), gap(last));
-  if (narrow < kDartPoint) return true;
-  if (narrow > 0.35 * long_side) return false;
+  if (narrow >= std::max(kDartPoint, 0.35 * long_side)) return false;
+  if (narrow < kLeastLimb) return true;
   const mesh::SewnPair& wide = gap(first) > gap(last) ? first : last;
   const Vec2 between = (rest[wide.a.vertex] + rest[wide.b.vertex]) * 0.5;
   return !geometry::contains(pieces[first.a.panel].outline, between);
