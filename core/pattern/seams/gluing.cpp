@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pattern/seams/kinds.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
@@ -61,13 +62,20 @@ double torso_girth(const SeamModel& m) {
   return front && back ? girth : 0;
 }
 
+/// What a border of the bodice alone measures at least, mm.
+double least_border(const SeamModel& m) {
+  const bool wrists = std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+    return m.words[run.panel].kind == PieceKind::kTorso && run.up < -kPairWeights.facing &&
+           is_below_arm(m, run);
+  });
+  return std::min(kGarmentWeights.narrow_share * torso_girth(m),
+                  wrists ? kGarmentWeights.wrist_mm : kGarmentWeights.narrow_most_mm);
+}
+
 }  // namespace
 
 GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
-    : m_(model),
-      settings_(settings),
-      least_border_(
-          std::min(kGarmentWeights.narrow_share * torso_girth(model), kGarmentWeights.narrow_most_mm)) {
+    : m_(model), settings_(settings), least_border_(least_border(model)) {
   for (std::size_t i = 0; i < model.runs.size(); ++i) {
     const SeamRun& run = model.runs[i];
     runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,

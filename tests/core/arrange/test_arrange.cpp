@@ -423,15 +423,18 @@ TEST(FlatMove, TheAxisOfPointsIsTheirLineHoweverDenseTheyLieOnIt) {
   EXPECT_FALSE(arrange::axes_of(std::vector<Vec2>{at, at}).spread);
 }
 
+/// Sews a cuff of one piece, 200 mm around, to the lower end of the shirt's sleeve 2 or 3.
+void add_cuff(pattern::Pattern& pattern, Index sleeve) {
+  const Index cuff = static_cast<Index>(pattern.panels.size());
+  const std::string side = sleeve == 2 ? "a" : "b";
+  pattern.panels.push_back(test::polygon("cuff_" + side, {{0, 0}, {200, 0}, {200, 60}, {0, 60}}));
+  pattern.seams.push_back(test::seam("ends_" + side, {{cuff, 1}}, {{cuff, 3}}));
+  pattern.seams.push_back(test::seam("cuff_" + side, {{sleeve, 0}}, {{cuff, 2}}));
+}
+
 TEST(Arrange, ACuffBeginsWhereItsSleeveEndsAndGoesAroundTheArm) {
   pattern::Pattern pattern = test::shirt();
-  for (const Index sleeve : {2, 3}) {
-    const Index cuff = static_cast<Index>(pattern.panels.size());
-    const std::string side = sleeve == 2 ? "a" : "b";
-    pattern.panels.push_back(test::polygon("cuff_" + side, {{0, 0}, {200, 0}, {200, 60}, {0, 60}}));
-    pattern.seams.push_back(test::seam("ends_" + side, {{cuff, 1}}, {{cuff, 3}}));
-    pattern.seams.push_back(test::seam("cuff_" + side, {{sleeve, 0}}, {{cuff, 2}}));
-  }
+  for (const Index sleeve : {2, 3}) add_cuff(pattern, sleeve);
   const Start s = started(pattern);
   for (const Index sleeve : {2, 3}) {
     const Index cuff = sleeve + 2;
@@ -459,11 +462,7 @@ TEST(Arrange, ACuffEndsNearTheWristHoweverLongItsSleeve) {
       for (pattern::CubicBezier& c : edge.curves)
         for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3})
           if (p->y < 10) p->y -= 520;
-    const Index cuff = static_cast<Index>(pattern.panels.size());
-    const std::string side = sleeve == 2 ? "a" : "b";
-    pattern.panels.push_back(test::polygon("cuff_" + side, {{0, 0}, {200, 0}, {200, 60}, {0, 60}}));
-    pattern.seams.push_back(test::seam("ends_" + side, {{cuff, 1}}, {{cuff, 3}}));
-    pattern.seams.push_back(test::seam("cuff_" + side, {{sleeve, 0}}, {{cuff, 2}}));
+    add_cuff(pattern, sleeve);
   }
   const Start s = started(pattern);
   const sewing::GarmentMesh& g = s.assembly.garment;

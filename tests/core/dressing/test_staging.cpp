@@ -57,16 +57,14 @@ pattern::Pattern circle_dress() {
   return p;
 }
 
-/// `below`: m from the shoulders to where the first two pieces are drawn from; `away`: m from the middle,
-/// `spacing`: m.
-sewing::Assembly placed(const pattern::Pattern& p, double below = 0.5, double away = 0.22,
-                        double spacing = 0.03) {
+/// `below`: m from the shoulders to where the first two pieces are drawn from; `spacing`: m.
+sewing::Assembly placed(const pattern::Pattern& p, double below = 0.5, double spacing = 0.03) {
   const auto meshes = mesh::make_panel_meshes(p, spacing, {}).value();
   const double height = test::person().figure.shoulder[0].y - below;
   std::vector<sewing::Placement> places;
   for (std::size_t k = 0; k < p.panels.size(); k += 2) {
-    places.push_back(sewing::RigidPlacement{{0, height, away}, {}, false});
-    places.push_back(sewing::RigidPlacement{{0, height, -away}, {0, std::numbers::pi, 0}, false});
+    places.push_back(sewing::RigidPlacement{{0, height, 0.22}, {}, false});
+    places.push_back(sewing::RigidPlacement{{0, height, -0.22}, {0, std::numbers::pi, 0}, false});
   }
   return sewing::assemble(meshes, places, {}).value();
 }
@@ -207,10 +205,10 @@ TEST(Staging, SleevesThatAreCutOnBeginAlongTheArms) {
 
 TEST(Staging, ATShapeIsPutOnWithItsSleevesAroundTheArms) {
   const dressing::Wearer wearer(test::person());
+  constexpr double kOwnMesh = 0.02;  // m, by which garments are put on
   for (const double length : {600.0, 800.0}) {
-    const dressing::Dressed on =
-        dressing::dress(placed(t_shape(520, length), length * 1e-3 - 0.03, 0.17, 0.02), wearer,
-                        dressing::dressing_ways()[0], {});
+    const dressing::Dressed on = dressing::dress(placed(t_shape(520, length), length * 1e-3 - 0.03, kOwnMesh),
+                                                 wearer, dressing::dressing_ways()[0], {});
     EXPECT_TRUE(on.certificate.holds())
         << length << ": stretched by " << on.certificate.stretch_p99 << ", " << on.certificate.crossings.all()
         << " crossings, gap " << on.certificate.gap << ", out " << on.certificate.faces_out;
