@@ -11,6 +11,7 @@
 #include "core/mesh/make_panel_meshes.h"
 #include "core/mesh/sewn_part.h"
 #include "core/pattern/seams/piece_words.h"
+#include "core/pattern/seams/second_layers.h"
 #include "core/sewing/assembly.h"
 
 namespace toile::drape {
@@ -143,10 +144,10 @@ DrapeInput with_panels(const DrapeInput& input, const std::vector<Index>& kept) 
   renumber(now, some.left_open);
   some.attachments = now.those_of_panels(std::move(some.attachments));
   renumber(now, some.notions);
+  const std::vector<char> layers = seams::lying_on_others(input.pattern);
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     if (std::binary_search(kept.begin(), kept.end(), static_cast<Index>(p))) continue;
-    const std::string& id = input.pattern.panels[p].id;
-    some.left_out.push_back({id, seams::words_of(id).layer, {}, false});
+    some.left_out.push_back({input.pattern.panels[p].id, layers[p] != 0, {}, false});
   }
   return some;
 }

@@ -100,7 +100,7 @@ std::optional<Error> clean(DxfFound& found, const std::string& where, DxfNotes& 
   const RepairedOutline onwards = without_backtracks(piece.outline);
   if (!onwards.cut_at.empty())
     notes.warn(piece.line,
-               "the outline turned back within 0.1 mm in " + std::to_string(onwards.cut_at.size()) +
+               "the outline turned back on itself in " + std::to_string(onwards.cut_at.size()) +
                    (onwards.cut_at.size() == 1 ? " place" : " places") + " and was smoothed, first at " +
                    pattern::place_text(onwards.cut_at[0]),
                found.id, onwards.cut_at[0]);

@@ -39,12 +39,14 @@ std::optional<std::vector<Vec2>> cut(const std::vector<Vec2>& p, const geometry:
   return rest.size() >= 3 && rest.size() <= p.size() + 1 ? std::optional(std::move(rest)) : std::nullopt;
 }
 
-/// Whether the way a → b → c turns back at b on a short stretch.
+/// Whether the way a → b → c turns back at b on a short stretch, or on a longer one along itself.
 bool is_backtrack(Vec2 a, Vec2 b, Vec2 c) {
   constexpr double kShort = 0.1;       // mm
   constexpr double kTurnsBack = -0.5;  // cosine of the turn: more than 120°
-  const double in = length(b - a), out = length(c - b);
-  return std::min(in, out) < kShort && dot(b - a, c - b) < kTurnsBack * in * out;
+  constexpr double kNoWidth = 0.005;   // mm, of a tip that holds no cloth
+  const double in = length(b - a), out = length(c - b), along = dot(b - a, c - b);
+  if (along >= kTurnsBack * in * out) return false;
+  return std::min(in, out) < kShort || std::abs(cross(b - a, c - b)) < kNoWidth * std::max(in, out);
 }
 
 /// Vertices of one place as one: segments must be real ones.

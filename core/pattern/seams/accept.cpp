@@ -6,6 +6,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/piece_words.h"
+#include "core/pattern/seams/second_layers.h"
 
 namespace toile::seams {
 namespace {
@@ -61,10 +62,11 @@ std::vector<char> loose_panels(const pattern::Pattern& pattern, std::span<const 
   for (Index p = 0; p < static_cast<Index>(area.size()); ++p)
     area[parts.root(p)] += std::abs(pattern::signed_area(pattern.panels[p].outline));
   const auto largest = static_cast<Index>(std::max_element(area.begin(), area.end()) - area.begin());
+  const std::vector<char> layers = lying_on_others(pattern);
   std::vector<char> loose;
   loose.reserve(area.size());
   for (Index p = 0; p < static_cast<Index>(area.size()); ++p)
-    loose.push_back((!any || parts.root(p) != largest) && !words_of(pattern.panels[p].id).layer);
+    loose.push_back((!any || parts.root(p) != largest) && !layers[p]);
   return loose;
 }
 

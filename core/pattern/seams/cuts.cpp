@@ -55,8 +55,9 @@ std::vector<Line> straight_parts(const SeamModel& m) {
   }
   for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r) {
     const SeamRun &run = m.runs[r], &next = m.runs[run.next];
-    if (std::abs(next.angle - 180) > kCutWeights.bent_deg || is_leg(r) || is_leg(run.next) || run.next == r)
-      continue;
+    const double most =
+        m.words[run.panel].kind == PieceKind::kTorso ? kCutWeights.bent_raglan_deg : kCutWeights.bent_deg;
+    if (std::abs(next.angle - 180) > most || is_leg(r) || is_leg(run.next) || run.next == r) continue;
     lines.push_back({{r, run.next}, true, before[r], next.next, run.length + next.length});
   }
   return lines;
@@ -144,6 +145,17 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
   return best;
 }
 
+/// Share of its length by which run r may differ from the two edges of the line, which meet in a blunt
+/// corner: a raglan sleeve may be eased onto the slope and the end of the armhole below it.
+double most_of_bent(const SeamModel& m, const Line& line, Index r) {
+  const SeamRun &first = m.runs[line.runs[0]], &second = m.runs[line.runs[1]];
+  const bool short_end = std::min(first.length, second.length) < kCutWeights.shortest_mm;
+  const bool raglan = m.words[m.runs[r].panel].kind == PieceKind::kSleeve && short_end &&
+                      m.words[first.panel].kind == PieceKind::kTorso;
+  if (raglan) return kCutWeights.ease_raglan;
+  return std::abs(second.angle - 180) < kCutWeights.bent_deg ? kCutWeights.exact : 0;
+}
+
 /// The line with darts in it that is as long as run r: a front's side to a back's.
 const Line* best_one(const SeamModel& m, const std::vector<Line>& lines, Index r) {
   const Line* best = nullptr;
@@ -151,7 +163,7 @@ const Line* best_one(const SeamModel& m, const std::vector<Line>& lines, Index r
   for (const Line& line : lines) {
     if (line.runs.size() < 2 || m.runs[line.runs[0]].panel == m.runs[r].panel) continue;
     const double off = difference(line.length, m.runs[r].length);
-    if (off < (line.bent ? std::min(least, kCutWeights.exact) : least)) {
+    if (off < (line.bent ? std::min(least, most_of_bent(m, line, r)) : least)) {
       least = off;
       best = &line;
     }

@@ -113,10 +113,12 @@ bool leaves_neck(const SeamModel& m, const SeamRun& run) {
          (twin != run.panel || run.mirror_edge != run.edge) && twin != kNone;
 }
 
-/// Whether the run is of a bodice and cannot be at its neck: it faces the side, or slopes as a shoulder.
+/// Whether the run is of a bodice and cannot be at its neck: it faces the side, slopes as a shoulder, or is
+/// the hem.
 bool is_off_neck(const SeamModel& m, const SeamRun& run) {
+  const bool hem = m.upright[run.panel] && run.up < -kPairWeights.facing_fully;
   return m.words[run.panel].kind == PieceKind::kTorso &&
-         (from_side(m, run) < -kPairWeights.off_neck || is_shoulder(m, run));
+         (from_side(m, run) < -kPairWeights.off_neck || is_shoulder(m, run) || hem);
 }
 
 bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
@@ -254,6 +256,16 @@ int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (a.side || b.side || has_no_sides(m, a) || has_no_sides(m, b)) return 0;
   if (ka == kb && m.rows[a.panel].row == m.rows[b.panel].row && gores(m, a, b)) return 0;
   return a.up > 0 ? hangs_from(m, a.panel, b.panel) : hangs_from(m, b.panel, a.panel);
+}
+
+bool is_armhole_end(const SeamModel& m, const SeamRun& run) {
+  const auto is_slope = [&](const SeamRun& other) {
+    return other.up > kPairWeights.facing && !begins_at_hem(m, other) && other.length > run.length;
+  };
+  const SeamRun &before = run_before(m, run), &after = m.runs[run.next];
+  return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] && !begins_at_hem(m, run) &&
+         run.up > kPairWeights.facing && run.turn.back() < kPairWeights.armhole_end_deg &&
+         ((begins_at_hem(m, before) && is_slope(after)) || (begins_at_hem(m, after) && is_slope(before)));
 }
 
 bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b) {

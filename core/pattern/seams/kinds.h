@@ -14,6 +14,9 @@ int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 /// corner that turns in.
 bool is_below_arm(const SeamModel& model, const SeamRun& run);
 
+/// Whether the run is the hollow end of an armhole, from a raglan sleeve's slope down to the side.
+bool is_armhole_end(const SeamModel& m, const SeamRun& run);
+
 /// Whether a sleeve is sewn to a bodice, which is no longer than it: caps are often gathered, but for those
 /// of tailored sleeves, which are eased.
 bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b);

@@ -137,6 +137,8 @@ void find_same(SeamModel& m, Index p, Index q) {
 
 bool equally_long(double a, double b) { return std::abs(a - b) <= 0.5 + 0.005 * std::max(a, b); }
 
+bool mirrors_itself(const SeamModel& m, Index panel) { return !mirror_image(m, panel, panel).empty(); }
+
 void find_twins(SeamModel& m) {
   const Index count = static_cast<Index>(m.words.size());
   m.twin.assign(m.words.size(), kNone);

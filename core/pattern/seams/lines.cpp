@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/units.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/model.h"
 #include "core/pattern/seams/weights.h"
@@ -45,6 +46,38 @@ bool is_slit(const pattern::Panel& panel, std::size_t first) {
   return mouth_up(panel, first) < kDartWeights.top && hangs_free(words_of(panel.id).kind);
 }
 
+/// Degrees between the edges' chords from the tip at which they meet: curved legs leave it at more.
+double width_of(const pattern::PanelEdge& in, const pattern::PanelEdge& out) {
+  const Vec2 tip = in.curves.back().p3;
+  const Vec2 a = in.curves.front().p0 - tip, b = out.curves.back().p3 - tip;
+  return degrees_from_radians(std::abs(std::atan2(cross(a, b), dot(a, b))));
+}
+
+/// Whether legs that are drawn of one length close a dart that is too wide to tell, has curved legs, or ends
+/// in a corner of a front or back, as under the arm. What opens upwards there may be a neck.
+bool is_drawn_dart(const pattern::Panel& panel, std::size_t first, double mouth) {
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  const pattern::PanelEdge& in = edges[first];
+  const pattern::PanelEdge& out = edges[(first + 1) % edges.size()];
+  const double a = pattern::arc_length(in), b = pattern::arc_length(out);
+  const double tip = 360 - corner_angle(in, out), width = width_of(in, out);
+  const bool exact = std::abs(a - b) < kDartWeights.drawn * std::max(a, b);
+  if (!exact || tip < kDartWeights.least_deg || tip > 180 || width > kDartWeights.drawn_most_deg)
+    return false;
+  const PieceWords words = words_of(panel.id);
+  const bool trunk = words.kind == PieceKind::kTorso || (words.kind == PieceKind::kOther && words.face != 0);
+  return std::abs(mouth - 180) < kDartWeights.mouth_deg ||
+         (trunk && mouth_up(panel, first) < kDartWeights.top);
+}
+
+/// Degrees that the outline has across the mouth of the dart with that first leg, once it is closed.
+double mouth_of(const pattern::Panel& panel, std::size_t first) {
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  const std::size_t n = edges.size();
+  return corner_angle(edges[(first + n - 1) % n], edges[first]) +
+         corner_angle(edges[(first + 1) % n], edges[(first + 2) % n]);
+}
+
 /// Whether the edges `first` and the next of the panel are a dart's legs.
 bool is_closed(const pattern::Panel& panel, std::size_t first) {
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
@@ -55,10 +88,10 @@ bool is_closed(const pattern::Panel& panel, std::size_t first) {
   if (std::abs(a - b) > kDartWeights.legs * std::max(a, b)) return false;
   const double tip = 360 - corner_angle(in, out);
   const bool waist = mouth_up(panel, first) > kDartWeights.top && has_waist(words_of(panel.id).kind);
+  const double mouth = mouth_of(panel, first);
+  if (is_drawn_dart(panel, first, mouth)) return true;
   if (tip < kDartWeights.least_deg || tip > (waist ? kDartWeights.most_up_deg : kDartWeights.most_deg))
     return false;
-  const double mouth =
-      corner_angle(edges[(first + n - 1) % n], in) + corner_angle(out, edges[(first + 2) % n]);
   const bool straight = waist && std::abs(mouth - 180 - tip) < kDartWeights.straight_mouth_deg;
   return straight || std::abs(mouth - 180) < kDartWeights.mouth_deg;
 }
@@ -120,13 +153,14 @@ std::vector<char> goes_on(const pattern::Panel& panel, Index index, const EdgeSe
   return on;
 }
 
-/// The outline's edges by lines: each begins where no dart ends and no edge goes on.
-std::vector<std::vector<Index>> lines_around(std::size_t n, const std::vector<std::size_t>& darts,
-                                             std::vector<char> on) {
+/// The outline's edges by lines: each begins where no edge goes on, not over a dart either.
+std::vector<std::vector<Index>> lines_around(const pattern::Panel& panel,
+                                             const std::vector<std::size_t>& darts, std::vector<char> on) {
+  const std::size_t n = panel.outline.edges.size();
   std::vector<char> leg(n, 0);
   for (const std::size_t first : darts) {
     leg[first] = leg[(first + 1) % n] = 1;
-    on[(first + 2) % n] = 1;
+    on[(first + 2) % n] = std::abs(mouth_of(panel, first) - 180) < kDartWeights.corner_deg;
   }
   std::vector<std::vector<Index>> lines;
   for (std::size_t e = 0; e < n; ++e) {
@@ -178,14 +212,14 @@ SeamLines lines_of(const pattern::Pattern& pattern) {
     const auto index = static_cast<Index>(p);
     std::vector<std::size_t> darts = darts_of(panel, index, sewn, inserts);
     std::vector<char> on = goes_on(panel, index, sewn);
-    if (lines_around(n, darts, on).empty()) {  // no line has an end
+    if (lines_around(panel, darts, on).empty()) {  // no line has an end
       darts.clear();
       on.assign(n, 0);
     }
     for (const std::size_t first : darts)
       lines.darts.push_back(
           {index, static_cast<Index>(first), static_cast<Index>((first + 1) % n), is_slit(panel, first)});
-    lines.edges.push_back(lines_around(n, darts, on));
+    lines.edges.push_back(lines_around(panel, darts, on));
     pattern::Loop loop;
     for (const std::vector<Index>& line : lines.edges.back()) loop.edges.push_back(joined(panel, line));
     lines.pattern.panels[p].outline = std::move(loop);

@@ -131,6 +131,7 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   if (!sides && (!twins || a.panel == b.panel) &&
       std::max(a.turn.back(), b.turn.back()) < kPairWeights.hollow_deg)
     merit += are_torsos(m, i, j) ? kPairWeights.two_armholes : kPairWeights.two_hollows;
+  if (is_armhole_end(m, a) && is_armhole_end(m, b)) merit += kPairWeights.two_armholes;
   if (turns_in(m, a) && turns_in(m, b) && !(is_below_arm(m, a) && is_below_arm(m, b)))
     merit += kPairWeights.two_corners;
   if (stays_open(m, a, b)) merit += kPairWeights.stays_open;

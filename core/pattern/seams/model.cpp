@@ -15,6 +15,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/roles.h"
+#include "core/pattern/seams/second_layers.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
@@ -296,6 +297,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   }
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
+  find_second_layers(pattern, model);
   name_trunk(model);
   name_hem_bands(model);
   find_rows(pattern, model);

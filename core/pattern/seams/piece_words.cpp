@@ -137,7 +137,8 @@ PieceWords words_of(const std::string& name) {
     if (is({"side", "sidepanel", "flank"})) words.flank = words.kind != PieceKind::kHood;
     if (is({"stand", "neckband"}) && words.kind == PieceKind::kCollar) words.stand = true;
     if (is({"lining", "underlining", "facing", "interfacing", "interlining", "fusing", "fusible", "canvas",
-            "pocket", "welt", "bag", "flap", "undercollar"}))
+            "pocket", "welt", "bag", "flap", "undercollar", "placket", "stay", "guard", "shield", "loop",
+            "tab"}))
       words.layer = true;
     if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
   }

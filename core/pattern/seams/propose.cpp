@@ -14,6 +14,7 @@
 #include "core/pattern/seams/confidence.h"
 #include "core/pattern/seams/lines.h"
 #include "core/pattern/seams/search.h"
+#include "core/pattern/seams/second_layers.h"
 #include "core/pattern/seams/sleeve_head.h"
 #include "core/pattern/seams/weights.h"
 
@@ -259,9 +260,9 @@ std::vector<SeamProposal> proposals_of(const pattern::Pattern& pattern, const st
 std::vector<SeamProposal> proposals_by_layers(const pattern::Pattern& pattern,
                                               const ProposalSettings& settings, const RunContext& context) {
   const std::vector<Index> all = order_of_pieces(pattern);
+  const std::vector<char> layers = lying_on_others(pattern);
   std::vector<Index> shell;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(shell),
-               [&](Index p) { return !words_of(pattern.panels[p].id).layer; });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(shell), [&](Index p) { return !layers[p]; });
   if (shell.size() < 2 || shell.size() == all.size()) return proposals_of(pattern, all, settings, context);
   std::vector<SeamProposal> proposals = proposals_of(pattern, shell, settings, context);
   const std::vector<bool> taken = sewn_together(proposals, kConfidenceWeights.settled);

@@ -54,9 +54,10 @@ struct PairWeights {
   double like_deg = 8;      ///< mean difference of the turning of like curves
   double like_curves = 0.8;
   double straight_to_round = -1.2;
-  double hollow_deg = -40;   ///< turning of an armhole
-  double two_hollows = -3;   ///< armholes go to caps, not to armholes …
-  double two_armholes = -8;  ///< … least of all where both are known
+  double hollow_deg = -40;       ///< turning of an armhole
+  double two_hollows = -3;       ///< armholes go to caps, not to armholes …
+  double two_armholes = -8;      ///< … least of all where both are known
+  double armhole_end_deg = -20;  ///< turning of an armhole's end below a raglan sleeve's slope, at least
 
   // Heights along the grain: pieces mostly lie as they are worn.
   double level = 0.08;         ///< spread of heights over the length; an even slope has 0.29
@@ -260,6 +261,8 @@ struct CutWeights {
   double rising = 0.5;      ///< climb of lines whose lower ends meet
   double level = 0.8;       ///< how much an edge faces up or down that halves of a garment meet at
   double bent_deg = 35;  ///< that a line bends by which is sewn to one edge all the same, if they fit exactly
+  double bent_raglan_deg = 70;  ///< … or where a raglan sleeve's slope turns into the armhole's end …
+  double ease_raglan = 0.02;    ///< … which fits within this
 };
 
 /// Which corners of a piece are darts that are closed before anything is sewn.
@@ -270,6 +273,9 @@ struct DartWeights {
   double most_up_deg = 55;        ///< … but for those of waists
   double mouth_deg = 25;          ///< that the outline may bend by across the closed mouth, …
   double straight_mouth_deg = 8;  ///< … or across the open one, of waists: programs cut them straight
+  double drawn = 0.002;           ///< share that legs differ by which are drawn to be closed: …
+  double drawn_most_deg = 40;     ///< … so wide between their chords they may be
+  double corner_deg = 45;         ///< that an outline bends by across a closed mouth which is a corner
   double smooth_deg = 3;          ///< that an outline may bend by where an edge goes on
   double halves = 0.005;          ///< but not between edges that differ by less than this share
   double top = 0.5;               ///< mouths of skirts, legs and sleeves that face up less are slits

@@ -44,7 +44,7 @@ TEST(DxfRepair, AnOutlineThatTurnsBackByLittleIsSmoothedAndTold) {
     for (const bool reversed : {false, true}) {
       if (reversed) std::reverse(points.begin(), points.end());
       const dxf::DxfDrawing d = sound_drawing(points);
-      EXPECT_TRUE(told(d, "turned back within 0.1 mm")) << some[0].x;
+      EXPECT_TRUE(told(d, "turned back on itself")) << some[0].x;
       ASSERT_EQ(d.pieces.size(), 1u);
       EXPECT_NEAR(area_of(d.pieces[0]), 390 * 300, 30);
     }

@@ -1,0 +1,86 @@
+#include "core/pattern/seams/second_layers.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "core/pattern/seams/likeness.h"
+#include "core/pattern/seams/piece_language.h"
+
+namespace toile::seams {
+namespace {
+
+constexpr const char* kMirrored = "_mirrored";
+
+/// The name of the drawn piece that a panel is a copy of: "hood_mirrored_2" is one of "hood".
+std::string drawn_name(std::string id) {
+  const std::size_t end = id.find_last_not_of("0123456789");
+  if (end != std::string::npos && end + 1 < id.size() && id[end] == '_') id.resize(end);
+  if (id.ends_with(kMirrored)) id.resize(id.size() - std::string(kMirrored).size());
+  return id;
+}
+
+bool is_yoke(const std::string& id) {
+  const std::vector<std::string> words = words_of_piece(id);
+  return std::find(words.begin(), words.end(), "yoke") != words.end();
+}
+
+/// How many copies of the piece are worn outside; 0 where nothing tells. What is its own mirror image lies in
+/// the middle of the body, but for what is worn on limbs.
+std::size_t worn_copies(const SeamModel& m, Index panel, const std::string& drawn) {
+  const PieceWords& words = m.words[panel];
+  const bool faced = words.kind == PieceKind::kCollar || words.kind == PieceKind::kHood || is_yoke(drawn);
+  if (words.kind == PieceKind::kCuff || words.kind == PieceKind::kSleeve) return words.side != 0 ? 1 : 2;
+  if (!faced) return 0;
+  return mirrors_itself(m, panel) || words.side != 0 ? 1 : 2;
+}
+
+/// Whether the names are those that copies of one drawn piece get: some of them turned over, or counted from
+/// one. Files that name each piece count from nought, or differ in more.
+bool are_copies(const pattern::Pattern& pattern, const std::vector<Index>& panels, const std::string& drawn) {
+  const auto any = [&](const std::string& id) {
+    return std::any_of(panels.begin(), panels.end(), [&](Index p) { return pattern.panels[p].id == id; });
+  };
+  if (any(drawn + kMirrored)) return any(drawn);
+  for (std::size_t k = 1; k <= panels.size(); ++k)
+    if (!any(drawn + "_" + std::to_string(k))) return false;
+  return true;
+}
+
+}  // namespace
+
+void find_second_layers(const pattern::Pattern& pattern, SeamModel& m) {
+  using Drawn = std::tuple<std::string, int, int>;  // with edges and girth, mm: no wardrobe's other piece
+  std::map<Drawn, std::vector<Index>> drawn;
+  for (Index p = 0; p < static_cast<Index>(pattern.panels.size()); ++p)
+    drawn[{drawn_name(pattern.panels[p].id), m.lines[p], static_cast<int>(m.girth[p] + 0.5)}].push_back(p);
+  for (auto& [piece, copies] : drawn) {
+    const std::size_t worn = worn_copies(m, copies.front(), std::get<0>(piece));
+    if (worn == 0 || copies.size() <= worn || !are_copies(pattern, copies, std::get<0>(piece))) continue;
+    const auto order = [&](Index p) {  // of those turned over and of the others the first is worn
+      const std::string& id = pattern.panels[p].id;
+      return std::tuple(id.size(), id);
+    };
+    std::sort(copies.begin(), copies.end(), [&](Index a, Index b) { return order(a) < order(b); });
+    const bool turned = std::any_of(copies.begin(), copies.end(),
+                                    [&](Index p) { return pattern.panels[p].id.ends_with(kMirrored); });
+    std::size_t plain = 0, over = 0;
+    for (const Index p : copies) {
+      const bool mirrored = pattern.panels[p].id.find(kMirrored) != std::string::npos;
+      std::size_t& before = mirrored ? over : plain;
+      const bool is_worn = turned && worn == 2 ? before == 0 : plain + over < worn;
+      ++before;
+      m.words[p].layer = m.words[p].layer || !is_worn;
+    }
+  }
+}
+
+std::vector<char> lying_on_others(const pattern::Pattern& pattern) {
+  std::vector<char> layers;
+  for (const PieceWords& words : make_seam_model(pattern).words) layers.push_back(words.layer);
+  return layers;
+}
+
+}  // namespace toile::seams
