@@ -118,6 +118,14 @@ const Line* yoke_between(const SeamModel& m, const std::vector<Line>& lines, dou
   return best;
 }
 
+/// Whether the run is a sleeve's and the others are of both fronts, or of both backs: no sleeve goes there.
+bool is_across(const SeamModel& m, Index sleeve, Index x, Index y) {
+  const PieceWords &a = m.words[m.runs[x].panel], &b = m.words[m.runs[y].panel];
+  return m.words[m.runs[sleeve].panel].kind == PieceKind::kSleeve && a.kind == PieceKind::kTorso &&
+         b.kind == PieceKind::kTorso && a.face * b.face > 0 &&
+         (a.side * b.side < 0 || m.twin[m.runs[x].panel] == m.runs[y].panel);
+}
+
 /// The best two lines to sew run r to, that have up to `ease` less than its length.
 Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double ease) {
   const double length = m.runs[r].length;
@@ -132,11 +140,13 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
       if (sum > length * (1 + std::min(kCutWeights.alike, ease)) || sum < length * (1 - most)) continue;
       // The two shoulders of one front never lie end to end.
       const bool same_piece = m.runs[lines[i].runs[0]].panel == m.runs[lines[j].runs[0]].panel;
-      if (same_piece || lines[j].bent || !other_piece(lines[j]) ||
+      if (same_piece || is_across(m, r, lines[i].runs[0], lines[j].runs[0]) || lines[j].bent ||
+          !other_piece(lines[j]) ||
           std::min(lines[i].length, lines[j].length) < length / kCutWeights.most_parts)
         continue;
       const Line* yoke = sum < length * (1 - ease) ? yoke_between(m, lines, length - sum, length) : nullptr;
-      const int ends = meeting_ends(m, lines[i], lines[j]);
+      // A yoke that makes up the length tells as much as neighbours do: sides may be eased.
+      const int ends = std::max(meeting_ends(m, lines[i], lines[j]), yoke != nullptr ? 1 : 0);
       const double off = yoke != nullptr ? 0 : difference(sum, length);
       const double worth = ends - off / std::max(most, kCutWeights.ease);
       if (ends > 0 && worth > best.worth) best = {&lines[i], &lines[j], yoke, worth};

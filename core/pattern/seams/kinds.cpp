@@ -113,6 +113,13 @@ bool leaves_neck(const SeamModel& m, const SeamRun& run) {
          (twin != run.panel || run.mirror_edge != run.edge) && twin != kNone;
 }
 
+/// Whether the back is one piece: the sides of both fronts go to it.
+bool has_whole_back(const SeamModel& m) {
+  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p)
+    if (m.words[p].kind == PieceKind::kTorso && m.words[p].face < 0 && m.twin[p] == p) return true;
+  return false;
+}
+
 /// Whether the run is of a bodice and cannot be at its neck: it faces the side, slopes as a shoulder, or is
 /// the hem.
 bool is_off_neck(const SeamModel& m, const SeamRun& run) {
@@ -308,6 +315,12 @@ double middle_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const bool torsos = x.kind == PieceKind::kTorso && y.kind == PieceKind::kTorso;
   const bool own = torsos && x.side == y.side && std::min(ia, ib) > kPairWeights.fully_inner;
   const bool across = x.side != y.side && std::max(ia, ib) < -kPairWeights.inner;
+  const auto is_outer = [&](const SeamRun& run) {  // which way the neck lies is surer than left and right
+    return slopes_to(m, run.panel) * faces_right(m, run) < -kPairWeights.fully_inner && begins_at_hem(m, run);
+  };
+  if (torsos && x.side != y.side && x.face > 0 && y.face > 0 && has_whole_back(m) && is_outer(a) &&
+      is_outer(b))
+    return kPairWeights.outer_sides;
   return own || across ? kPairWeights.not_middle : 0;
 }
 

@@ -137,7 +137,31 @@ void find_same(SeamModel& m, Index p, Index q) {
 
 bool equally_long(double a, double b) { return std::abs(a - b) <= 0.5 + 0.005 * std::max(a, b); }
 
-bool mirrors_itself(const SeamModel& m, Index panel) { return !mirror_image(m, panel, panel).empty(); }
+bool mirrors_itself(const SeamModel& m, Index panel) {
+  constexpr double kNear = 0.03;  // of its length
+  const Vec2 up = m.up[panel], right{up.y, -up.x};
+  std::vector<Vec2> points;  // across the grain, along it
+  for (const Index r : runs_of(m, panel))
+    for (const Vec2& at : m.runs[r].at) points.push_back({dot(at, right), dot(at, up)});
+  const auto extent = [&](auto of) {
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(), [&](Vec2 a, Vec2 b) { return of(a) < of(b); });
+    return std::pair(of(*low), of(*high));
+  };
+  const auto [left, far] = extent([](Vec2 p) { return p.x; });
+  const auto [low, high] = extent([](Vec2 p) { return p.y; });
+  const bool wide = far - left > high - low;
+  const double most = kNear * std::max(far - left, high - low);
+  return std::all_of(points.begin(), points.end(), [&](Vec2 p) {
+    const Vec2 image = wide ? Vec2{left + far - p.x, p.y} : Vec2{p.x, low + high - p.y};
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Vec2 a = points[k], b = points[(k + 1) % points.size()], along = b - a;
+      const double share = dot(along, along) > 0 ? dot(image - a, along) / dot(along, along) : 0;
+      if (length(image - a - std::clamp(share, 0.0, 1.0) * along) < most) return true;
+    }
+    return false;
+  });
+}
 
 void find_twins(SeamModel& m) {
   const Index count = static_cast<Index>(m.words.size());

@@ -9,7 +9,8 @@ namespace toile::seams {
 /// Whether two lengths (mm) are one but for the rounding of a drawing.
 bool equally_long(double a, double b);
 
-/// Whether the piece turned over is the piece itself. REQUIRES the model's runs.
+/// Whether the piece turned over across its length is the piece itself, but for a button stand. REQUIRES the
+/// model's runs and `up`.
 bool mirrors_itself(const SeamModel& m, Index panel);
 
 /// `twin`, and `mirror_panel` and `mirror_edge` of runs: pieces whose names say left and right go first, then

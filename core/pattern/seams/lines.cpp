@@ -135,20 +135,48 @@ bool is_parted_freely(PieceKind kind) {
          kind == PieceKind::kLegs;
 }
 
+/// Whether two edges of the front are its side, parted where a dart is drawn inside the piece: no edge of the
+/// pattern's other pieces is as long as one of the two.
+bool is_side_at_dart(const pattern::Pattern& pattern, Index index, const pattern::PanelEdge& before,
+                     const pattern::PanelEdge& after) {
+  const pattern::Panel& panel = pattern.panels[index];
+  const PieceWords words = words_of(panel.id);
+  if (words.face <= 0 || (words.kind != PieceKind::kTorso && words.kind != PieceKind::kOther)) return false;
+  if (std::abs(corner_angle(before, after) - 180) > kDartWeights.inside_deg) return false;
+  const auto climbs = [&](const pattern::PanelEdge& edge) {
+    const Vec2 along = normalized(edge.curves.back().p3 - edge.curves.front().p0);
+    return std::abs(dot(along, normalized(panel.grain))) > kDartWeights.inside_rise;
+  };
+  const double a = pattern::arc_length(before), b = pattern::arc_length(after);
+  if (!climbs(before) || !climbs(after) || std::min(a, b) > kDartWeights.inside_part * (a + b)) return false;
+  for (const pattern::Panel& other : pattern.panels) {
+    if (words_of(other.id).face == words.face) continue;
+    for (const pattern::PanelEdge& edge : other.outline.edges) {
+      const double there = pattern::arc_length(edge);
+      for (const double here : {a, b})
+        if (std::abs(there - here) < kDartWeights.halves * here) return false;
+    }
+  }
+  return true;
+}
+
 /// Edges that go on from the one before without a corner.
-std::vector<char> goes_on(const pattern::Panel& panel, Index index, const EdgeSet& sewn) {
+std::vector<char> goes_on(const pattern::Pattern& pattern, Index index, const EdgeSet& sewn) {
+  const pattern::Panel& panel = pattern.panels[index];
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
   const std::size_t n = edges.size();
   std::vector<char> on(n, 0);
-  if (n < 2 || !is_parted_freely(words_of(panel.id).kind)) return on;
+  if (n < 2) return on;
+  const bool freely = is_parted_freely(words_of(panel.id).kind);
   for (std::size_t e = 0; e < n; ++e) {
     const std::size_t before = (e + n - 1) % n;
     const bool free =
         !sewn.contains({index, static_cast<Index>(e)}) && !sewn.contains({index, static_cast<Index>(before)});
     const double a = pattern::arc_length(edges[before]), b = pattern::arc_length(edges[e]);
     const bool halves = std::abs(a - b) < kDartWeights.halves * std::max(a, b);  // a middle that is marked
+    const bool smooth = std::abs(corner_angle(edges[before], edges[e]) - 180) < kDartWeights.smooth_deg;
     on[e] =
-        free && !halves && std::abs(corner_angle(edges[before], edges[e]) - 180) < kDartWeights.smooth_deg;
+        free && ((freely && !halves && smooth) || is_side_at_dart(pattern, index, edges[before], edges[e]));
   }
   return on;
 }
@@ -211,7 +239,7 @@ SeamLines lines_of(const pattern::Pattern& pattern) {
     const std::size_t n = panel.outline.edges.size();
     const auto index = static_cast<Index>(p);
     std::vector<std::size_t> darts = darts_of(panel, index, sewn, inserts);
-    std::vector<char> on = goes_on(panel, index, sewn);
+    std::vector<char> on = goes_on(pattern, index, sewn);
     if (lines_around(panel, darts, on).empty()) {  // no line has an end
       darts.clear();
       on.assign(n, 0);

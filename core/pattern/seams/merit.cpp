@@ -48,6 +48,16 @@ int cut_ends_that_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b, b
   return (is_cut_at_start(a) && (along ? b_start : b_end)) + (is_cut_at_end(a) && (along ? b_end : b_start));
 }
 
+/// Whether the runs are the sides of a front and a back of which the front's is longer by what a dart for the
+/// bust takes in: it may be drawn inside the piece, or be left to be eased.
+bool has_bust_ease(const SeamModel& m, Index i, Index j) {
+  const SeamRun &a = m.runs[i], &b = m.runs[j];
+  const int face = m.words[a.panel].face;
+  const SeamRun &front = face > 0 ? a : b, &back = face > 0 ? b : a;
+  return are_torsos(m, i, j) && face * m.words[b.panel].face < 0 && front.length > back.length &&
+         difference(a, b) < kPairWeights.bust_ease && begins_at_hem(m, a) && begins_at_hem(m, b);
+}
+
 /// What the lengths say, `lengths` or not: along the grain cloth is gathered seldom.
 double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool counterparts, bool gathers) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
@@ -62,7 +72,8 @@ double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool coun
                off = difference(a, b);
   const bool known = m.upright[a.panel] && m.upright[b.panel];
   if (known && std::min(rise(m, a), rise(m, b)) > kPairWeights.upright)
-    merit -= kPairWeights.ease_upright * std::clamp(off / fair - kPairWeights.ease_begins, 0.0, 1.0);
+    merit -= (has_bust_ease(m, i, j) ? kPairWeights.ease_bust : kPairWeights.ease_upright) *
+             std::clamp(off / fair - kPairWeights.ease_begins, 0.0, 1.0);
   if (lengths && straight && off < kPairWeights.gathered)
     merit -= kPairWeights.inexact *
              std::clamp(off / kPairWeights.inexact_share - kPairWeights.inexact_begins, 0.0, 1.0);
@@ -74,7 +85,7 @@ double own_piece_part(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   const PieceWords& words = m.words[a.panel];
   const bool mirrored = m.mirror[i] == j;
-  if (mirrored && words.face != 0) return kPairWeights.own_front;
+  if (mirrored && (words.face != 0 || words.yoke)) return kPairWeights.own_front;
   const bool tube =
       mirrored && a.straight && b.straight && std::min(rise(m, a), rise(m, b)) > kPairWeights.own_tube_rise;
   return tube ? kPairWeights.own_tube : kPairWeights.own_piece;

@@ -134,6 +134,7 @@ PieceWords words_of(const std::string& name) {
     if (is({"f", "fr", "frt", "fnt", "ft", "cf", "bib", "apron"}) || starts("front", 'f')) words.face = 1;
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
     if (is_leg_word(w)) words.leg = true;
+    if (w == "yoke") words.yoke = true;
     if (is({"side", "sidepanel", "flank"})) words.flank = words.kind != PieceKind::kHood;
     if (is({"stand", "neckband"}) && words.kind == PieceKind::kCollar) words.stand = true;
     if (is({"lining", "underlining", "facing", "interfacing", "interlining", "fusing", "fusible", "canvas",

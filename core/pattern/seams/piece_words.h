@@ -31,6 +31,7 @@ struct PieceWords {
   bool leg = false;       ///< of trousers
   bool limb = false;      ///< a sleeve or a cuff: left and right never meet
   bool stand = false;     ///< what a collar is sewn to along its length
+  bool yoke = false;      ///< lies over both shoulders, or goes around the hip: it is no tube
   bool hem_band = false;  ///< a band that ends a top below; of a skirt nothing tells what it is
   bool layer = false;     ///< a lining, a facing, a pocket: cloth that lies on other cloth
 };

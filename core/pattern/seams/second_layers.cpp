@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "core/pattern/seams/likeness.h"
-#include "core/pattern/seams/piece_language.h"
 
 namespace toile::seams {
 namespace {
@@ -22,16 +21,11 @@ std::string drawn_name(std::string id) {
   return id;
 }
 
-bool is_yoke(const std::string& id) {
-  const std::vector<std::string> words = words_of_piece(id);
-  return std::find(words.begin(), words.end(), "yoke") != words.end();
-}
-
 /// How many copies of the piece are worn outside; 0 where nothing tells. What is its own mirror image lies in
 /// the middle of the body, but for what is worn on limbs.
-std::size_t worn_copies(const SeamModel& m, Index panel, const std::string& drawn) {
+std::size_t worn_copies(const SeamModel& m, Index panel) {
   const PieceWords& words = m.words[panel];
-  const bool faced = words.kind == PieceKind::kCollar || words.kind == PieceKind::kHood || is_yoke(drawn);
+  const bool faced = words.kind == PieceKind::kCollar || words.kind == PieceKind::kHood || words.yoke;
   if (words.kind == PieceKind::kCuff || words.kind == PieceKind::kSleeve) return words.side != 0 ? 1 : 2;
   if (!faced) return 0;
   return mirrors_itself(m, panel) || words.side != 0 ? 1 : 2;
@@ -57,7 +51,7 @@ void find_second_layers(const pattern::Pattern& pattern, SeamModel& m) {
   for (Index p = 0; p < static_cast<Index>(pattern.panels.size()); ++p)
     drawn[{drawn_name(pattern.panels[p].id), m.lines[p], static_cast<int>(m.girth[p] + 0.5)}].push_back(p);
   for (auto& [piece, copies] : drawn) {
-    const std::size_t worn = worn_copies(m, copies.front(), std::get<0>(piece));
+    const std::size_t worn = worn_copies(m, copies.front());
     if (worn == 0 || copies.size() <= worn || !are_copies(pattern, copies, std::get<0>(piece))) continue;
     const auto order = [&](Index p) {  // of those turned over and of the others the first is worn
       const std::string& id = pattern.panels[p].id;

@@ -39,6 +39,8 @@ struct PairWeights {
   double most_of_counterparts = 5;  ///< … and of the same edge of two pieces that are drawn alike
   double upright = 0.8;     ///< rise of an edge that runs along the grain; there cloth is gathered seldom
   double ease_upright = 4;  ///< against a difference there, in full at 1.33 times …
+  double ease_bust = 1;     ///< … but along the side of a front that is longer by up to …
+  double bust_ease = 0.13;  ///< … this share, which a dart takes in
   double fair_straight = 0.015;  ///< … this share of the length for straight edges, …
   double fair_curved = 0.06;     ///< … or this one
   double ease_begins = 0.33;     ///< times that share, where it begins to count
@@ -97,6 +99,7 @@ struct PairWeights {
   double inner = 0.2;           ///< how much a neck faces the body's middle …
   double fully_inner = 0.9;     ///< … and its centre front
   double not_middle = -4;
+  double outer_sides = -10;     ///< the sides of a left and a right front to each other
   double armhole = 1.5;         ///< for a sleeve at a hollow edge of a bodice, against it at others
   double insert_face = 2;       ///< inserts of the front are let into the front
   double cap = 1.5;             ///< for a sleeve's cap there, against its other edges …
@@ -275,6 +278,9 @@ struct DartWeights {
   double straight_mouth_deg = 8;  ///< … or across the open one, of waists: programs cut them straight
   double drawn = 0.002;           ///< share that legs differ by which are drawn to be closed: …
   double drawn_most_deg = 40;     ///< … so wide between their chords they may be
+  double inside_deg = 30;         ///< that a front's side may bend by at a dart which is drawn inside it …
+  double inside_rise = 0.9;       ///< … of this rise at least …
+  double inside_part = 0.25;      ///< … the shorter part being this much of it at most
   double corner_deg = 45;         ///< that an outline bends by across a closed mouth which is a corner
   double smooth_deg = 3;          ///< that an outline may bend by where an edge goes on
   double halves = 0.005;          ///< but not between edges that differ by less than this share
