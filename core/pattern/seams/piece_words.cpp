@@ -76,7 +76,7 @@ bool holds_in_a_row(const std::vector<std::string>& words, const char* first, co
 
 /// Whether the words tell of a band along that edge: "hem band", "neck rib", "hemband".
 bool tells_band(const std::vector<std::string>& words, const std::string& edge) {
-  for (const char* band : {"band", "rib", "ribbing", "binding"}) {
+  for (const char* band : {"band", "rib", "ribbing"}) {
     if (holds_in_a_row(words, edge.c_str(), band)) return true;
     if (std::find(words.begin(), words.end(), edge + band) != words.end()) return true;
   }
@@ -137,9 +137,9 @@ PieceWords words_of(const std::string& name) {
     if (w == "yoke") words.yoke = true;
     if (is({"side", "sidepanel", "flank"})) words.flank = words.kind != PieceKind::kHood;
     if (is({"stand", "neckband"}) && words.kind == PieceKind::kCollar) words.stand = true;
-    if (is({"lining", "underlining", "facing", "interfacing", "interlining", "fusing", "fusible", "canvas",
-            "pocket", "welt", "bag", "flap", "undercollar", "placket", "stay", "guard", "shield", "loop",
-            "tab"}))
+    if (is({"lining", "underlining", "facing", "interfacing", "interlining", "fusing",      "fusible",
+            "canvas", "pocket",      "welt",   "bag",         "flap",        "undercollar", "placket",
+            "stay",   "guard",       "shield", "loop",        "tab",         "binding",     "piping"}))
       words.layer = true;
     if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
   }

@@ -15,6 +15,7 @@
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/validate.h"
 #include "core/project/create/choose_fabrics.h"
+#include "core/project/create/choose_mesh.h"
 #include "core/project/create/halves.h"
 
 namespace toile::create {
@@ -253,6 +254,7 @@ void complete(const NewProjectSettings& settings, NewProject& made) {
   for (const pattern::Seam& seam : made.pattern.seams)
     project.seams.push_back(project_seam(made.pattern, seam));
   choose_fabrics(project);
+  choose_mesh(made.pattern, project.settings);
   project::ProjectBody body;
   body.id = "body";
   body.file = settings.body_file;

@@ -34,6 +34,8 @@ TEST(DxfRepair, AnOutlineThatTurnsBackByLittleIsSmoothedAndTold) {
       {{200, 0}, {199.96, 0}},                   // on the very line
       {{200, 0}, {200, 0.04}, {200.001, 0}},     // a spike
       {{200, 0}, {199.96, 0}, {199.99, 0.005}},  // twice
+      {{200, 0}, {160, 0}},                      // by 40 mm, along itself
+      {{200, 0}, {200, 30}, {200.001, 0}},       // a slash without width
       {{400.04, 0.01}},                          // beyond the corner
       {{400, 0}, {399.96, 0.01}},                // back from the corner
   };

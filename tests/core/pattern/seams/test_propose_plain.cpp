@@ -14,66 +14,15 @@
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/seams/propose.h"
 #include "tests/core/pattern/garments.h"
+#include "tests/core/pattern/seams/worn_seams.h"
 
 namespace toile {
 namespace {
 
 using garments::mirrored;
 using garments::piece;
-
-/// The edges of a seam's side, as "piece.edge", in their order by name.
-std::vector<std::string> named(const pattern::Pattern& pattern, const std::vector<pattern::SeamEdge>& side) {
-  std::vector<std::string> names;
-  for (const pattern::SeamEdge& e : side)
-    names.push_back(pattern.panels[e.panel].id + "." + pattern.panels[e.panel].outline.edges[e.edge].id);
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-/// The seams with which a garment is worn.
-class WornSeams {
- public:
-  explicit WornSeams(std::vector<pattern::Panel> panels) : pattern_{std::move(panels), {}} {
-    proposals_ = seams::propose_seams(pattern_);
-    sewn_ = seams::sewn_to_wear(pattern_, proposals_, 0.8);
-  }
-  bool has(std::vector<std::string> a, std::vector<std::string> b) const {
-    std::sort(a.begin(), a.end());
-    std::sort(b.begin(), b.end());
-    for (std::size_t i = 0; i < proposals_.size(); ++i) {
-      const auto x = named(pattern_, proposals_[i].seam.a), y = named(pattern_, proposals_[i].seam.b);
-      if (sewn_[i] && ((x == a && y == b) || (x == b && y == a))) return true;
-    }
-    return false;
-  }
-  /// The share of `edge` that is sewn to the named one, from 0 to 1; {0, 0} where none is.
-  std::pair<double, double> part(const std::string& edge, const std::string& other) const {
-    for (std::size_t i = 0; i < proposals_.size(); ++i)
-      for (const auto& [mine, theirs] : {std::pair{proposals_[i].seam.a, proposals_[i].seam.b},
-                                         std::pair{proposals_[i].seam.b, proposals_[i].seam.a}})
-        if (sewn_[i] && named(pattern_, mine) == std::vector{edge} &&
-            named(pattern_, theirs) == std::vector{other})
-          return {mine.front().from, mine.front().to};
-    return {0, 0};
-  }
-  bool takes(const std::string& edge) const {
-    for (std::size_t i = 0; i < proposals_.size(); ++i)
-      for (const auto* side : {&proposals_[i].seam.a, &proposals_[i].seam.b}) {
-        const auto all = named(pattern_, *side);
-        if (sewn_[i] && std::find(all.begin(), all.end(), edge) != all.end()) return true;
-      }
-    return false;
-  }
-
- private:
-  pattern::Pattern pattern_;
-  std::vector<seams::SeamProposal> proposals_;
-  std::vector<bool> sewn_;
-};
-
-pattern::Panel strip(const std::string& name, double length, double height) {
-  return piece(name, {{0, 0}, {length, 0}, {length, height}, {0, height}});
-}
+using garments::strip;
+using test::WornSeams;
 
 TEST(PlainGarments, LegsOfOnePieceMeetInFrontAndBehind) {
   const pattern::Panel left = piece("left leg", {{-95, 0},

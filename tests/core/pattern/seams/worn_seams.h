@@ -1,0 +1,86 @@
+#pragma once
+// The seams with which a garment that is given as pieces alone would be worn.
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/pattern/seams/accept.h"
+#include "core/pattern/seams/propose.h"
+#include "tests/core/pattern/garments.h"
+
+namespace toile::garments {
+
+inline pattern::Panel strip(const std::string& name, double length, double height) {
+  return piece(name, {{0, 0}, {length, 0}, {length, height}, {0, height}});
+}
+
+}  // namespace toile::garments
+
+namespace toile::test {
+
+/// The edges of a seam's side, as "piece.edge", in their order by name.
+inline std::vector<std::string> named(const pattern::Pattern& pattern,
+                                      const std::vector<pattern::SeamEdge>& side) {
+  std::vector<std::string> names;
+  for (const pattern::SeamEdge& e : side)
+    names.push_back(pattern.panels[e.panel].id + "." + pattern.panels[e.panel].outline.edges[e.edge].id);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// The seams with which a garment is worn.
+class WornSeams {
+ public:
+  explicit WornSeams(std::vector<pattern::Panel> panels) : pattern_{std::move(panels), {}} {
+    proposals_ = seams::propose_seams(pattern_);
+    sewn_ = seams::sewn_to_wear(pattern_, proposals_, 0.8);
+  }
+  bool has(std::vector<std::string> a, std::vector<std::string> b) const {
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    for (std::size_t i = 0; i < proposals_.size(); ++i) {
+      const auto x = named(pattern_, proposals_[i].seam.a), y = named(pattern_, proposals_[i].seam.b);
+      if (sewn_[i] && ((x == a && y == b) || (x == b && y == a))) return true;
+    }
+    return false;
+  }
+  /// The share of `edge` that is sewn to the named one, from 0 to 1; {0, 0} where none is.
+  std::pair<double, double> part(const std::string& edge, const std::string& other) const {
+    for (std::size_t i = 0; i < proposals_.size(); ++i)
+      for (const auto& [mine, theirs] : {std::pair{proposals_[i].seam.a, proposals_[i].seam.b},
+                                         std::pair{proposals_[i].seam.b, proposals_[i].seam.a}})
+        if (sewn_[i] && named(pattern_, mine) == std::vector{edge} &&
+            named(pattern_, theirs) == std::vector{other})
+          return {mine.front().from, mine.front().to};
+    return {0, 0};
+  }
+  /// All of them, a line each, to be read where a test fails.
+  std::string text() const {
+    std::string lines;
+    for (std::size_t i = 0; i < proposals_.size(); ++i) {
+      if (!sewn_[i]) continue;
+      for (const auto* side : {&proposals_[i].seam.a, &proposals_[i].seam.b}) {
+        for (const std::string& edge : named(pattern_, *side)) lines += edge + " ";
+        lines += side == &proposals_[i].seam.a ? "to " : "\n";
+      }
+    }
+    return lines;
+  }
+  bool takes(const std::string& edge) const {
+    for (std::size_t i = 0; i < proposals_.size(); ++i)
+      for (const auto* side : {&proposals_[i].seam.a, &proposals_[i].seam.b}) {
+        const auto all = named(pattern_, *side);
+        if (sewn_[i] && std::find(all.begin(), all.end(), edge) != all.end()) return true;
+      }
+    return false;
+  }
+
+ private:
+  pattern::Pattern pattern_;
+  std::vector<seams::SeamProposal> proposals_;
+  std::vector<bool> sewn_;
+};
+
+}  // namespace toile::test
