@@ -113,6 +113,13 @@ bool leaves_neck(const SeamModel& m, const SeamRun& run) {
          (twin != run.panel || run.mirror_edge != run.edge) && twin != kNone;
 }
 
+/// Whether a piece of the bodice is for that face of the body.
+bool has_face(const SeamModel& m, int face) {
+  return std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& words) {
+    return words.kind == PieceKind::kTorso && words.face == face;
+  });
+}
+
 /// Whether the back is one piece: the sides of both fronts go to it.
 bool has_whole_back(const SeamModel& m) {
   for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p)
@@ -318,9 +325,10 @@ double middle_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const auto is_outer = [&](const SeamRun& run) {  // which way the neck lies is surer than left and right
     return slopes_to(m, run.panel) * faces_right(m, run) < -kPairWeights.fully_inner && begins_at_hem(m, run);
   };
-  if (torsos && x.side != y.side && x.face > 0 && y.face > 0 && has_whole_back(m) && is_outer(a) &&
-      is_outer(b))
-    return kPairWeights.outer_sides;
+  const bool fronts = x.side != y.side && x.face > 0 && y.face > 0 && has_whole_back(m);
+  const bool halves =
+      m.twin[a.panel] == b.panel && x.side == 0 && x.face * y.face > 0 && has_face(m, -x.face);
+  if (torsos && (fronts || halves) && is_outer(a) && is_outer(b)) return kPairWeights.outer_sides;
   return own || across ? kPairWeights.not_middle : 0;
 }
 

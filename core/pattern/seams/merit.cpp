@@ -85,6 +85,9 @@ double own_piece_part(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   const PieceWords& words = m.words[a.panel];
   const bool mirrored = m.mirror[i] == j;
+  const double ring = (m.girth[a.panel] - a.length - b.length) / 2;
+  const bool limb = words.kind == PieceKind::kCuff || words.kind == PieceKind::kSleeve;
+  if (limb && ring < kPairWeights.least_ring_mm) return kPairWeights.own_front;
   if (mirrored && (words.face != 0 || words.yoke)) return kPairWeights.own_front;
   const bool tube =
       mirrored && a.straight && b.straight && std::min(rise(m, a), rise(m, b)) > kPairWeights.own_tube_rise;

@@ -85,7 +85,7 @@ std::vector<double> notches_on(const pattern::Panel& panel, const pattern::Panel
 Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
   constexpr double kStrip = 2.5;  // times as long as wide
   const Vec2 grain = normalized(panel.grain), across = perpendicular(grain);
-  if (kind != PieceKind::kBand) return grain;
+  if (kind != PieceKind::kBand && kind != PieceKind::kCuff) return grain;
   double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
   for (const pattern::PanelEdge& edge : panel.outline.edges) {
     const Vec2 p = edge.curves.front().p0;
@@ -95,6 +95,8 @@ Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
       high[k] = std::max(high[k], at[k]);
     }
   }
+  if (kind == PieceKind::kCuff)  // a hand has to pass it
+    return high[1] - low[1] < kPairWeights.least_ring_mm ? across : grain;
   return high[0] - low[0] > kStrip * (high[1] - low[1]) ? across : grain;
 }
 
@@ -287,7 +289,10 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     model.words.push_back(words_of(pattern.panels[p].id));
     const PieceWords& words = model.words.back();
-    model.up.push_back(up_of(pattern.panels[p], words.hem_band ? PieceKind::kBand : words.kind));
+    const bool half_cuff = words.kind == PieceKind::kCuff && words.face != 0;
+    model.up.push_back(up_of(pattern.panels[p], words.hem_band ? PieceKind::kBand
+                                                : half_cuff    ? PieceKind::kOther
+                                                               : words.kind));
     add_panel(pattern.panels[p], static_cast<Index>(p), model);
     model.lines.push_back(static_cast<int>(pattern.panels[p].outline.edges.size()));
     // Sleeves are often drawn lying, and files without grain lines have it upright.

@@ -107,6 +107,12 @@ class NotchedRun {
   const std::vector<double> stops_;
 };
 
+/// Whether the run is a leg's crotch: it goes to its mirror image, whatever flies and pockets mark on it.
+bool is_crotch(const SeamModel& m, const SeamRun& run) {
+  return m.words[run.panel].kind == PieceKind::kLegs && run.turn.back() < kPairWeights.twin_hollow_deg &&
+         std::abs(run.up) < kPairWeights.facing;
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> notch_cuts(const SeamModel& m) {
@@ -115,7 +121,7 @@ std::vector<std::vector<double>> notch_cuts(const SeamModel& m) {
     return cuts;
   const std::vector<RunPart> parts = parts_of(m);
   for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r)
-    if (!m.runs[r].notches.empty()) cuts[r] = NotchedRun(m, parts, r).cuts();
+    if (!m.runs[r].notches.empty() && !is_crotch(m, m.runs[r])) cuts[r] = NotchedRun(m, parts, r).cuts();
   return cuts;
 }
 

@@ -74,6 +74,16 @@ bool holds_in_a_row(const std::vector<std::string>& words, const char* first, co
   return false;
 }
 
+/// Whether the word tells of cloth that lies on other cloth, alone or at the end of another word.
+bool lies_on_cloth(const std::string& word) {
+  static const char* const kAlone[] = {"canvas", "welt", "bag", "flap",  "stay",   "guard",  "shield",
+                                       "loop",   "tab",  "fly", "loops", "piping", "fusing", "fusible"};
+  static const char* const kEnds[] = {"lining",  "facing",      "pocket", "undercollar",
+                                      "placket", "zipperguard", "binding"};
+  return std::any_of(std::begin(kAlone), std::end(kAlone), [&](const char* w) { return word == w; }) ||
+         std::any_of(std::begin(kEnds), std::end(kEnds), [&](const char* w) { return word.ends_with(w); });
+}
+
 /// Whether the words tell of a band along that edge: "hem band", "neck rib", "hemband".
 bool tells_band(const std::vector<std::string>& words, const std::string& edge) {
   for (const char* band : {"band", "rib", "ribbing"}) {
@@ -137,10 +147,7 @@ PieceWords words_of(const std::string& name) {
     if (w == "yoke") words.yoke = true;
     if (is({"side", "sidepanel", "flank"})) words.flank = words.kind != PieceKind::kHood;
     if (is({"stand", "neckband"}) && words.kind == PieceKind::kCollar) words.stand = true;
-    if (is({"lining", "underlining", "facing", "interfacing", "interlining", "fusing",      "fusible",
-            "canvas", "pocket",      "welt",   "bag",         "flap",        "undercollar", "placket",
-            "stay",   "guard",       "shield", "loop",        "tab",         "binding",     "piping"}))
-      words.layer = true;
+    if (lies_on_cloth(w)) words.layer = true;
     if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
   }
   return words;

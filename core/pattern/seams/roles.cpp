@@ -47,7 +47,7 @@ bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
   const auto waist_above = [&](const SeamRun& waist, const SeamRun& side) {
     const bool faces_apart = faces_right(m, side) * faces_right(m, run) < 0;
     return waist.up > kPairWeights.facing && faces_apart && begins_at_hem(m, side) &&
-           side.turn.back() > kPairWeights.twin_hollow_deg;
+           side.turn.back() > kPairWeights.hollow_deg;
   };
   if (begins_at_hem(m, before) && waist_above(after, m.runs[after.next])) return true;
   return begins_at_hem(m, after) && waist_above(before, run_before(m, before));

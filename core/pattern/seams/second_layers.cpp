@@ -21,11 +21,34 @@ std::string drawn_name(std::string id) {
   return id;
 }
 
+/// Whether a band of that length (mm) goes around an end of the fronts and backs together, the lower one of a
+/// top or the upper one of what hangs from the waist; ribs are shorter than what they hold in.
+bool goes_around(const SeamModel& m, double length) {
+  constexpr double kShortest = 0.75, kLongest = 1.12, kLevel = 0.9;
+  double above = 0, below = 0;  // mm
+  for (const SeamRun& run : m.runs) {
+    if (m.words[run.panel].face == 0 || m.words[run.panel].layer) continue;
+    if (run.up > kLevel) above += run.length;
+    if (run.up < -kLevel) below += run.length;
+  }
+  const auto fits = [&](double end) { return length > kShortest * end && length < kLongest * end; };
+  return fits(above) || fits(below);
+}
+
+/// How many copies of a band are worn: one where it goes all around and two would be too long.
+std::size_t worn_bands(const SeamModel& m, Index panel) {
+  double longest = 0;
+  for (const SeamRun& run : m.runs)
+    if (run.panel == panel) longest = std::max(longest, run.length);
+  return goes_around(m, longest) && !goes_around(m, 2 * longest) ? 1 : 0;
+}
+
 /// How many copies of the piece are worn outside; 0 where nothing tells. What is its own mirror image lies in
 /// the middle of the body, but for what is worn on limbs.
 std::size_t worn_copies(const SeamModel& m, Index panel) {
   const PieceWords& words = m.words[panel];
   const bool faced = words.kind == PieceKind::kCollar || words.kind == PieceKind::kHood || words.yoke;
+  if (words.kind == PieceKind::kBand || words.hem_band) return worn_bands(m, panel);
   if (words.kind == PieceKind::kCuff || words.kind == PieceKind::kSleeve) return words.side != 0 ? 1 : 2;
   if (!faced) return 0;
   return mirrors_itself(m, panel) || words.side != 0 ? 1 : 2;

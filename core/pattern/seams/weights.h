@@ -159,6 +159,7 @@ struct PairWeights {
 
   // A piece sewn to itself: bands and sleeves are tubes, a front is none.
   double own_front = -8;
+  double least_ring_mm = 120;  ///< that a hand passes through
   double own_tube = 1;
   double own_tube_rise = 0.9;
   double own_piece = -1;

@@ -167,5 +167,67 @@ TEST(DraftedGarments, AFrontWhoseDartIsDrawnInsideIsEasedIntoTheBacksSide) {
   EXPECT_FALSE(worn.takes("Back.e2")) << "the armhole";
 }
 
+/// Edges: hem, side, armhole, shoulder, neck, shoulder, armhole, side.
+pattern::Panel sweater_body(const std::string& name, double neck) {
+  return piece(name, {{-227, 0},
+                      {227, 0, Vec2{230, 200}, Vec2{260, 320}},
+                      {285, 360, Vec2{235, 375}, Vec2{220, 480}},
+                      {223, 605},
+                      {88, 640, Vec2{80, neck}, Vec2{-80, neck}},
+                      {-88, 640},
+                      {-223, 605, Vec2{-220, 480}, Vec2{-235, 375}},
+                      {-285, 360, Vec2{-260, 320}, Vec2{-230, 200}}});
+}
+
+TEST(DraftedGarments, CuffsCloseSoThatAHandPassesAndOneBandGoesAround) {
+  const pattern::Panel sleeve =
+      piece("sleeve", {{-105, 0}, {105, 0}, {222, 445, Vec2{80, 500}, Vec2{90, 640}}, {-222, 445}});
+  pattern::Panel cap = sleeve;
+  cap.outline.edges[2].curves = {{{222, 445}, {120, 480}, {90, 595}, {0, 597}},
+                                 {{0, 597}, {-90, 595}, {-120, 480}, {-222, 445}}};
+  // Cut along the stretch of the rib: a cuff of 178 mm around and 96 mm high stands on its end.
+  const pattern::Panel cuff = strip("cuff", 96, 178), band = strip("waistband", 770, 96);
+  const WornSeams worn({sweater_body("front", 540), sweater_body("back", 620), cap,
+                        mirrored(cap, "sleeve_mirrored"), cuff, mirrored(cuff, "cuff_mirrored"), band,
+                        mirrored(band, "waistband_mirrored")});
+  EXPECT_TRUE(worn.has({"cuff.e0"}, {"cuff.e2"})) << worn.text();
+  EXPECT_FALSE(worn.has({"cuff.e1"}, {"cuff.e3"})) << "96 mm around: no hand passes";
+  EXPECT_TRUE(worn.has({"front.e0", "back.e0"}, {"waistband.e0"}) ||
+              worn.has({"front.e0", "back.e0"}, {"waistband.e2"}))
+      << worn.text();
+  EXPECT_FALSE(worn.takes("waistband_mirrored.e0")) << "it lines the other";
+}
+
+TEST(DraftedGarments, SidePartsOfAFrontGoToTheBacks) {
+  const pattern::Panel front = piece("frontInside", {{-60, 0},
+                                                     {60, 0, Vec2{70, 120}, Vec2{120, 200}},
+                                                     {150, 390},
+                                                     {80, 410, Vec2{70, 320}, Vec2{-70, 320}},
+                                                     {-80, 410},
+                                                     {-150, 390, Vec2{-120, 200}, Vec2{-70, 120}}});
+  const pattern::Panel side = piece("frontOutside", {{0, 20},
+                                                     {150, 0},
+                                                     {152, 172, Vec2{115, 190}, Vec2{120, 280}},
+                                                     {165, 372},
+                                                     {95, 398, Vec2{-20, 220}, Vec2{-40, 140}}});
+  const pattern::Panel back = piece("backInside", {{0, 0},
+                                                   {100, 0, Vec2{98, 150}, Vec2{110, 280}},
+                                                   {150, 385},
+                                                   {82, 405, Vec2{70, 385}, Vec2{40, 380}},
+                                                   {0, 380}});
+  const pattern::Panel back_side = piece("backOutside", {{0, 0},
+                                                         {98, 0},
+                                                         {100, 172, Vec2{70, 190}, Vec2{65, 290}},
+                                                         {92, 362},
+                                                         {22, 385, Vec2{-10, 280}, Vec2{-8, 150}}});
+  const WornSeams worn({front, side, mirrored(side, "frontOutside_mirrored"), back,
+                        mirrored(back, "backInside_mirrored"), back_side,
+                        mirrored(back_side, "backOutside_mirrored")});
+  EXPECT_TRUE(worn.has({"frontOutside.e1"}, {"backOutside.e1"}) ||
+              worn.has({"frontOutside.e1"}, {"backOutside_mirrored.e1"}))
+      << worn.text();
+  EXPECT_FALSE(worn.takes("frontOutside.e2")) << "the armhole";
+}
+
 }  // namespace
 }  // namespace toile
