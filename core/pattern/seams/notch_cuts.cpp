@@ -70,6 +70,7 @@ class NotchedRun {
       std::size_t from = 0;
       bool met = false;  ///< the part from `from` to here has a partner
     };
+    if (is_met(stops_.back())) return {};  // it goes whole to a part of another
     std::vector<Best> best(stops_.size());
     for (std::size_t j = 1; j < stops_.size(); ++j) {
       best[j] = {best[j - 1].covered, j - 1, false};
@@ -122,6 +123,10 @@ std::vector<std::vector<double>> notch_cuts(const SeamModel& m) {
   const std::vector<RunPart> parts = parts_of(m);
   for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r)
     if (!m.runs[r].notches.empty() && !is_crotch(m, m.runs[r])) cuts[r] = NotchedRun(m, parts, r).cuts();
+  for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r) {
+    const Index twin = m.mirror[r];  // left and right are sewn alike: a cut on one side alone is by chance
+    if (twin != kNone && twin != r && cuts[r].empty()) cuts[twin].clear();
+  }
   return cuts;
 }
 
