@@ -70,7 +70,7 @@ class NotchedRun {
       std::size_t from = 0;
       bool met = false;  ///< the part from `from` to here has a partner
     };
-    if (is_met(stops_.back())) return {};  // it goes whole to a part of another
+    if (goes_whole()) return {};
     std::vector<Best> best(stops_.size());
     for (std::size_t j = 1; j < stops_.size(); ++j) {
       best[j] = {best[j - 1].covered, j - 1, false};
@@ -93,6 +93,14 @@ class NotchedRun {
   }
 
  private:
+  /// Whether a part of another run, no whole one, is as long as all of it.
+  bool goes_whole() const {
+    return std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& other) {
+      const SeamRun& run = m_.runs[other.run];
+      return run.panel != m_.runs[r_].panel && other.lonely && other.length < run.length &&
+             same_length(other.length, stops_.back());
+    });
+  }
   bool is_met(double part) const {
     if (part < kCutWeights.least_part_mm) return false;
     return std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& other) {
