@@ -141,19 +141,20 @@ bool mirrors_itself(const SeamModel& m, Index panel) {
   constexpr double kNear = 0.03;  // of its length
   const Vec2 up = m.up[panel], right{up.y, -up.x};
   std::vector<Vec2> points;  // across the grain, along it
-  for (const Index r : runs_of(m, panel))
-    for (const Vec2& at : m.runs[r].at) points.push_back({dot(at, right), dot(at, up)});
-  const auto extent = [&](auto of) {
-    const auto [low, high] =
-        std::minmax_element(points.begin(), points.end(), [&](Vec2 a, Vec2 b) { return of(a) < of(b); });
-    return std::pair(of(*low), of(*high));
-  };
-  const auto [left, far] = extent([](Vec2 p) { return p.x; });
-  const auto [low, high] = extent([](Vec2 p) { return p.y; });
-  const bool wide = far - left > high - low;
-  const double most = kNear * std::max(far - left, high - low);
+  Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  for (const Index r : runs_of(m, panel)) {
+    for (const Vec2& at : m.runs[r].at) {
+      const Vec2 p{dot(at, right), dot(at, up)};
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      points.push_back(p);
+    }
+  }
+  const Vec2 size = high - low;
+  const bool wide = size.x > size.y;
+  const double most = kNear * std::max(size.x, size.y);
   return std::all_of(points.begin(), points.end(), [&](Vec2 p) {
-    const Vec2 image = wide ? Vec2{left + far - p.x, p.y} : Vec2{p.x, low + high - p.y};
+    const Vec2 image = wide ? Vec2{low.x + high.x - p.x, p.y} : Vec2{p.x, low.y + high.y - p.y};
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Vec2 a = points[k], b = points[(k + 1) % points.size()], along = b - a;
       const double share = dot(along, along) > 0 ? dot(image - a, along) / dot(along, along) : 0;

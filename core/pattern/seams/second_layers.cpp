@@ -1,6 +1,7 @@
 #include "core/pattern/seams/second_layers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -69,10 +70,10 @@ bool are_copies(const pattern::Pattern& pattern, const std::vector<Index>& panel
 }  // namespace
 
 void find_second_layers(const pattern::Pattern& pattern, SeamModel& m) {
-  using Drawn = std::tuple<std::string, int, int>;  // with edges and girth, mm: no wardrobe's other piece
+  using Drawn = std::tuple<std::string, int, long>;  // with edges and girth, mm: no wardrobe's other piece
   std::map<Drawn, std::vector<Index>> drawn;
   for (Index p = 0; p < static_cast<Index>(pattern.panels.size()); ++p)
-    drawn[{drawn_name(pattern.panels[p].id), m.lines[p], static_cast<int>(m.girth[p] + 0.5)}].push_back(p);
+    drawn[{drawn_name(pattern.panels[p].id), m.lines[p], std::lround(m.girth[p])}].push_back(p);
   for (auto& [piece, copies] : drawn) {
     const std::size_t worn = worn_copies(m, copies.front());
     if (worn == 0 || copies.size() <= worn || !are_copies(pattern, copies, std::get<0>(piece))) continue;
