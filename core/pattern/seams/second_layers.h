@@ -10,7 +10,7 @@
 namespace toile::seams {
 
 /// Sets `words.layer` of the copies that lie on others, and so are for a person to sew. REQUIRES the model's
-/// runs, words and girths.
+/// runs, words, `up`, lines and girths.
 void find_second_layers(const pattern::Pattern& pattern, SeamModel& model);
 
 /// Of each panel: whether it lies on other cloth, by its name or as such a copy. REQUIRES a pattern that

@@ -15,6 +15,7 @@
 namespace toile {
 namespace {
 
+using garments::bodice;
 using garments::mirrored;
 using garments::piece;
 using garments::strip;
@@ -152,14 +153,8 @@ TEST(DraftedGarments, AFrontWhoseDartIsDrawnInsideIsEasedIntoTheBacksSide) {
                         {10, 520}});
   };
   const pattern::Panel right = front("frontRight"), left = mirrored(right, "frontLeft");
-  const pattern::Panel back = piece("Back", {{-265, 0},
-                                             {265, 0},
-                                             {262, 345, Vec2{215, 355}, Vec2{195, 440}},
-                                             {205, 530},
-                                             {80, 575, Vec2{40, 560}, Vec2{-40, 560}},
-                                             {-80, 575},
-                                             {-205, 530, Vec2{-195, 440}, Vec2{-215, 355}},
-                                             {-262, 345}});
+  const pattern::Panel back = bodice("Back", {265, 0}, {262, 345, Vec2{215, 355}, Vec2{195, 440}}, {205, 530},
+                                     {80, 575, Vec2{40, 560}});
   const WornSeams worn({right, left, back});
   EXPECT_TRUE(worn.takes("Back.e1") && worn.takes("Back.e7")) << "both sides of the back";
   const std::vector<std::string> side{"frontRight.e1", "frontRight.e2"};
@@ -167,16 +162,9 @@ TEST(DraftedGarments, AFrontWhoseDartIsDrawnInsideIsEasedIntoTheBacksSide) {
   EXPECT_FALSE(worn.takes("Back.e2")) << "the armhole";
 }
 
-/// Edges: hem, side, armhole, shoulder, neck, shoulder, armhole, side.
 pattern::Panel sweater_body(const std::string& name, double neck) {
-  return piece(name, {{-227, 0},
-                      {227, 0, Vec2{230, 200}, Vec2{260, 320}},
-                      {285, 360, Vec2{235, 375}, Vec2{220, 480}},
-                      {223, 605},
-                      {88, 640, Vec2{80, neck}, Vec2{-80, neck}},
-                      {-88, 640},
-                      {-223, 605, Vec2{-220, 480}, Vec2{-235, 375}},
-                      {-285, 360, Vec2{-260, 320}, Vec2{-230, 200}}});
+  return bodice(name, {227, 0, Vec2{230, 200}, Vec2{260, 320}}, {285, 360, Vec2{235, 375}, Vec2{220, 480}},
+                {223, 605}, {88, 640, Vec2{80, neck}});
 }
 
 TEST(DraftedGarments, CuffsCloseSoThatAHandPassesAndOneBandGoesAround) {

@@ -19,6 +19,7 @@
 namespace toile {
 namespace {
 
+using garments::bodice;
 using garments::mirrored;
 using garments::piece;
 using garments::strip;
@@ -252,14 +253,8 @@ TEST(PlainGarments, ASleeveIsSetIntoFrontYokeAndBack) {
                                              {200, 540},
                                              {-200, 540, Vec2{-205, 490}, Vec2{-215, 445}},
                                              {-255, 430}});
-  const pattern::Panel front = piece("Front", {{-270, 0},
-                                               {270, 0},
-                                               {255, 430, Vec2{205, 445}, Vec2{195, 560}},
-                                               {190, 620},
-                                               {80, 660, Vec2{70, 575}, Vec2{-70, 575}},
-                                               {-80, 660},
-                                               {-190, 620, Vec2{-195, 560}, Vec2{-205, 445}},
-                                               {-255, 430}});
+  const pattern::Panel front = bodice("Front", {270, 0}, {255, 430, Vec2{205, 445}, Vec2{195, 560}},
+                                      {190, 620}, {80, 660, Vec2{70, 575}});
   const pattern::Panel sleeve =
       piece("Sleeve", {{-130, 0}, {130, 0}, {192, 430, Vec2{90, 520}, Vec2{-90, 520}}, {-192, 430}});
   const WornSeams worn({yoke, back, front, sleeve, mirrored(sleeve, "Sleeve_2")});

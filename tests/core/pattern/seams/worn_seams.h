@@ -16,6 +16,26 @@ inline pattern::Panel strip(const std::string& name, double length, double heigh
   return piece(name, {{0, 0}, {length, 0}, {length, height}, {0, height}});
 }
 
+/// A bodice, its own mirror image, from the right end of its hem: the edges from there to the armhole's lower
+/// end and from there to the shoulder's, where `neck` is the shoulder's inner end and the neck's curve.
+/// Edges: hem, side, armhole, shoulder, neck, shoulder, armhole, side.
+inline pattern::Panel bodice(const std::string& name, const Node& hem, const Node& underarm, Vec2 shoulder,
+                             const Node& neck) {
+  const auto image = [](Vec2 p) { return Vec2{-p.x, p.y}; };
+  const auto back_along = [&](double x, double y,
+                              const Node& edge) {  // the mirrored edge, the other way round
+    return edge.control ? Node{x, y, image(*edge.second), image(*edge.control)} : Node{x, y};
+  };
+  return piece(name, {{-hem.x, hem.y},
+                      hem,
+                      underarm,
+                      {shoulder.x, shoulder.y},
+                      {neck.x, neck.y, neck.control, image(*neck.control)},
+                      {-neck.x, neck.y},
+                      back_along(-shoulder.x, shoulder.y, underarm),
+                      back_along(-underarm.x, underarm.y, hem)});
+}
+
 }  // namespace toile::garments
 
 namespace toile::test {
