@@ -349,6 +349,7 @@ const std::vector<DressingWay>& dressing_ways() {
       {{0.12, 0, true, false, Wide::kSmaller, kAlongFreeArms}, 0.5, 0.3, 0.3},
       {{0.12, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
       {{0.12, 0, true, false, Wide::kFolded, kAsPlaced}, 0.5, 0.3, 0.3},
+      {{0.08, 0.08, false, false, Wide::kAsPlaced, kAsPlaced}, 0.65, 0.3, 0.1},
       {{0.12, 0.05, false, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
       {{0.07, 0.07, true, true, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
       {{0.05, 0.05, true, false, Wide::kSmaller, kAsPlaced}, 0.3, 0.3, 0.3},
@@ -356,7 +357,6 @@ const std::vector<DressingWay>& dressing_ways() {
       {{0.05, 0.05, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.9, 0.03},
       {{0, 0.12, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
       {{0, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.9, 0.03},
-      {{0.08, 0.08, false, false, Wide::kAsPlaced, kAsPlaced}, 0.65, 0.3, 0.1},
       {{0.12, 0, true, false, Wide::kSmaller, kAlongArms}, 0.5, 0.3, 0.3}};
   return kWays;
 }

@@ -14,7 +14,7 @@ namespace toile::dressing {
 namespace {
 
 /// Cloth that keeps less of its size than this leaves takes long to unfold: another way may do better.
-constexpr double kSqueezed = 0.4;  // as Certificate::shrink_p99
+constexpr double kSqueezed = 0.25;  // as Certificate::shrink_p99
 
 /// Share of the worst panel's crossings from which on another is at fault as well.
 constexpr double kCrossesMost = 0.5;
@@ -119,7 +119,7 @@ TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, con
   TriedOn tried;
   tried.effort = effort;
   std::optional<Dressed> nearest, strained;
-  Effort better;  // for one less squeezed, once one is certified: as much as it took to come there
+  Effort better;  // for one less squeezed, once one is certified: twice what it took to come there
   for (std::size_t number = first; number < dressing_ways().size(); ++number) {
     if (context.cancelled()) return {};
     tried.gave_up = number > first && tried.effort.spent() && !tried.on;
@@ -133,7 +133,7 @@ TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, con
       better = dressed.effort;
     } else {
       tried.effort = dressed.effort;
-      better = effort.spent_since(tried.effort);
+      better = effort.spent_since(tried.effort).twice();
     }
     dressed.number = number;
     if (!dressed.certificate.holds()) {

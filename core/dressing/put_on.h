@@ -28,8 +28,8 @@ struct TriedOn {
 };
 
 /// Tries each way on `coarse`, and carries the first that is certified there, bares no shoulder and is not
-/// badly squeezed, else the one with the fewest bared, and of those the least squeezed, that as much work
-/// again finds, over to `fine`, where it must be certified again: `positions` are those of `fine`. Where all
+/// badly squeezed, else the one with the fewest bared, and of those the least squeezed, that twice as much
+/// work finds, over to `fine`, where it must be certified again: `positions` are those of `fine`. Where all
 /// that are on are strained (Certificate::holds_strained), the least strained is taken. Both are
 /// of one pattern, placed and sewn alike; they may be the same. The ways before `first`, an index into
 /// dressing_ways(), are passed over; so are those for which no effort is left, but for one. Nothing is on

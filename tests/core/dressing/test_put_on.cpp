@@ -53,6 +53,24 @@ TEST(PutOn, ATopEndsAroundNeckArmsAndTrunkWithoutACrossing) {
   for (const auto& [i, j] : assembly.garment.sewn) EXPECT_EQ(on->positions[i], on->positions[j]);
 }
 
+// Drawn in as a whole, so that they pass the hands, trousers begin at half their length and would hang in
+// folds that no drape opens.
+TEST(PutOn, TrousersLaidOutWideBeginAsLongAsTheyAre) {
+  const dressing::Wearer wearer(test::person());
+  const double y = test::person().figure.crotch - 0.7;
+  const double lean = 0.1, half_turn = 3.14159265358979;  // radians
+  const std::vector<sewing::Placement> places{
+      sewing::RigidPlacement{{-0.3, y, 0.22}, {0, 0, lean}, false},
+      sewing::RigidPlacement{{0.3, y, 0.22}, {0, 0, -lean}, false},
+      sewing::RigidPlacement{{-0.07, y, -0.22}, {0, half_turn, lean}, false},
+      sewing::RigidPlacement{{0.07, y, -0.22}, {0, half_turn, -lean}, false}};
+  const auto meshes = mesh::make_panel_meshes(test::trousers(), 0.022, {}).value();
+  const sewing::Assembly assembly = sewing::assemble(meshes, places, {}).value();
+  const auto on = dressing::put_on(assembly, assembly, wearer, {}).on;
+  ASSERT_TRUE(on.has_value());
+  EXPECT_LT(on->certificate.shrink_p99, 0.25) << "way " << on->number;
+}
+
 TEST(PutOn, TheSameInputGivesTheSameBytes) {
   const dressing::Wearer wearer(test::person());
   const sewing::Assembly assembly = placed(top(), 0.022, top_height());
