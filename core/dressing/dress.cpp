@@ -195,6 +195,7 @@ void grow(const sewing::Assembly& assembly, const Wearer& wearer, const Dressing
     const SlimFigure figure = wearer.slim(way.slim * (1 - static_cast<double>(i) / kGrowing));
     const std::vector<Vec3> before = sewn.x;
     shoulders.hold_in(sewn.x);
+    shoulders.centre(sewn.x);
     solver.pass(sewn.x, {}, &figure);
     if (hangs) stay_up(wearer, before, sewn.x);
     guard.keep(before, sewn.x);
@@ -234,6 +235,7 @@ std::vector<std::vector<Vec3>> come_back(const sewing::Assembly& assembly, const
     for (int i = 0; i < kSpreading; ++i) {
       const std::vector<Vec3> before = x;
       shoulders.hold_in(x);
+      shoulders.centre(x);
       shoulders.let_down(x);
       solver.pass(x, {}, &whole);
       of_x.keep(before, x);

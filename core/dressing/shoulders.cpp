@@ -21,7 +21,9 @@ constexpr double kInnerShoulder = 0.8;
 /// m from the straight line between the ridge's ends: below, above (the neck's muscle), and across.
 constexpr double kBelowRidge = 0.02, kAboveRidge = 0.06, kAcrossRidge = 0.04;
 
-constexpr double kBackIn = 3e-3, kLowering = 4e-3;  // m at a time
+constexpr double kBackIn = 3e-3, kLowering = 4e-3, kShift = 2e-3;  // m at a time
+/// Share of the ridge within which cloth on a shoulder stays there.
+constexpr double kStays = 0.6;
 
 /// Where a place is beside the ridge of the shoulder on its side.
 struct AtRidge {
@@ -97,6 +99,19 @@ std::optional<double> room_over_shoulders(const measure::BodyFigure& figure, con
   return least;
 }
 
+double off_centre(const measure::BodyFigure& figure, std::span<const Vec3> x) {
+  std::array<double, 2> inner{HUGE_VAL, HUGE_VAL};
+  for (const Vec3 p : x) {
+    if (!is_over_shoulder(figure, p)) continue;
+    double& least = inner[p.x > figure.middle ? measure::kWearersLeft : measure::kWearersRight];
+    least = std::min(least, at_ridge(figure, p).share);
+  }
+  const double left = inner[measure::kWearersLeft], right = inner[measure::kWearersRight];
+  const double farther = std::max(left, right);
+  if (farther == HUGE_VAL || farther < kStays) return 0;
+  return 0.5 * (left - right) * std::abs(figure.shoulder[0].x - figure.neck_side[0].x);
+}
+
 OnShoulders::OnShoulders(const sewing::Assembly& assembly, const Wearer& wearer,
                          std::span<const Index> vertex_of, Index count)
     : wearer_(wearer),
@@ -125,6 +140,17 @@ void OnShoulders::let_down(std::vector<Vec3>& x) const {
   const double room = room_over_shoulders(wearer_.figure(), wearer_.slim(0), x).value_or(0);
   for (std::size_t v = 0; v < x.size(); ++v)
     if (hangs_[v]) x[v].y -= std::min(kLowering, room);
+}
+
+void OnShoulders::centre(std::vector<Vec3>& x) const {
+  const measure::BodyFigure& f = wearer_.figure();
+  std::vector<Vec3> hanging;
+  for (std::size_t v = 0; v < x.size(); ++v)
+    if (hangs_[v]) hanging.push_back(x[v]);
+  const double back = std::clamp(-off_centre(f, hanging), -kShift, kShift);
+  const double from = f.waist, to = std::min(f.armpit[0].y, f.armpit[1].y);
+  for (std::size_t v = 0; v < x.size(); ++v)
+    if (hangs_[v]) x[v].x += back * std::clamp((x[v].y - from) / (to - from), 0.0, 1.0);
 }
 
 }  // namespace toile::dressing

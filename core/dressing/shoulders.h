@@ -37,6 +37,11 @@ bool has_armhole(std::span<const WornRing> rings, std::size_t side);
 int bared_shoulders(const sewing::Assembly& assembly, const measure::BodyFigure& figure,
                     std::span<const WornRing> rings, std::span<const Vec3> x);
 
+/// How far a garment is off the middle: half of what its cloth begins farther from the neck on the wearer's
+/// left than on the right, m. None where it is over one shoulder alone, or close enough to the neck on both
+/// to stay on.
+double off_centre(const measure::BodyFigure& figure, std::span<const Vec3> x);
+
 /// Two hands at a garment's shoulders. `wearer` must outlive it.
 class OnShoulders {
  public:
@@ -49,6 +54,8 @@ class OnShoulders {
   void hold_in(std::vector<Vec3>& x) const;
   /// Brings the garment a little down, as long as there is room over both shoulders. Sleeves stay.
   void let_down(std::vector<Vec3>& x) const;
+  /// Shifts what hangs above the waist a little sideways where it hangs more on one shoulder than the other.
+  void centre(std::vector<Vec3>& x) const;
 
  private:
   const Wearer& wearer_;

@@ -47,12 +47,27 @@ TEST(Shoulders, TheRoomIsThatOfTheClothNearestToOne) {
   EXPECT_TRUE(dressing::goes_over_shoulders(figure(), both));
 }
 
-sewing::Assembly placed_open_top() {
+/// The same on the right.
+Vec3 over_right(double share, double above) {
+  const Vec3 neck = figure().neck_side[measure::kWearersRight];
+  return neck + (figure().shoulder[measure::kWearersRight] - neck) * share + Vec3{0, above, 0};
+}
+
+TEST(Shoulders, CentreIsWhereBothStrapsAreAsFarFromTheNeck) {
+  const double ridge = std::abs(over_left(1, 0).x - over_left(0, 0).x);
+  const auto off = [](std::vector<Vec3> x) { return dressing::off_centre(figure(), x); };
+  EXPECT_NEAR(off({over_left(0.9, 0.02), over_right(0.3, 0.02), over_right(0.7, 0.02)}), 0.3 * ridge, 1e-9);
+  EXPECT_NEAR(off({over_left(0.2, 0.02), over_right(1.0, 0.02)}), -0.4 * ridge, 1e-9);
+  EXPECT_EQ(off({over_left(0.5, 0.02), over_right(0.3, 0.02)}), 0) << "neither would slide off";
+  EXPECT_EQ(off({over_left(0.9, 0.02)}), 0) << "meant for one shoulder";
+}
+
+sewing::Assembly placed_open_top(double aside = 0) {
   const auto meshes = mesh::make_panel_meshes(test::open_top(), 0.025, {}).value();
   const double height = figure().shoulder[0].y - 0.47;
   const std::vector<sewing::Placement> places{
-      sewing::RigidPlacement{{0, height, 0.22}, {}, false},
-      sewing::RigidPlacement{{0, height, -0.22}, {0, std::numbers::pi, 0}, false}};
+      sewing::RigidPlacement{{aside, height, 0.22}, {}, false},
+      sewing::RigidPlacement{{aside, height, -0.22}, {0, std::numbers::pi, 0}, false}};
   return sewing::assemble(meshes, places, {}).value();
 }
 
@@ -71,6 +86,13 @@ TEST(Shoulders, StrapsThatNothingElseHoldsLieOnThemOncePutOn) {
     EXPECT_LT(whole.clearance(dressed.positions[v]), 0.05);
   }
   EXPECT_GT(count, 8);
+}
+
+TEST(Shoulders, ATopThatStandsAsideIsPutOnInTheMiddle) {
+  const dressing::Wearer wearer(test::person());
+  const sewing::Assembly top = placed_open_top(0.06);
+  const std::vector<Vec3> x = dressing::dress(top, wearer, dressing::dressing_ways().front(), {}).positions;
+  EXPECT_LT(std::abs(dressing::off_centre(figure(), x)), 0.012);
 }
 
 int bared(const sewing::Assembly& top, std::vector<Vec3> x, Vec3 moved) {
