@@ -135,12 +135,14 @@ void find_caps(SeamModel& m) {
 }
 
 void find_standing_sleeves(SeamModel& m) {
-  constexpr double kRise = 0.85, kLeast = 0.1, kAlike = 0.03;  // of the grain; of the outline; of the length
+  // Of the grain; facing, below that of a raglan's slopes; of the outline; of the length.
+  constexpr double kRise = 0.85, kSlope = 0.4, kLeast = 0.1, kAlike = 0.03;
   for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) {
     if (m.words[p].kind != PieceKind::kSleeve || m.upright[p]) continue;
     const SeamRun* longest[2] = {nullptr, nullptr};  // that face left, right
     for (const SeamRun& run : m.runs) {
-      if (run.panel != p || rise(m, run) < kRise || run.length < kLeast * m.girth[p]) continue;
+      if (run.panel != p || rise(m, run) < kRise || run.up > kSlope || run.length < kLeast * m.girth[p])
+        continue;
       const SeamRun*& there = longest[faces_right(m, run) > 0];
       if (there == nullptr || run.length > there->length) there = &run;
     }

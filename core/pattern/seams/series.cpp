@@ -149,9 +149,20 @@ bool is_collar_on_neck(const SeamModel& m, const Chain& collar, const Chain& nec
          is_symmetric(m, neck);
 }
 
+/// Whether one is a neckband closed to a ring and the other a longer neck: bands of rib are stretched on.
+bool is_rib_on_neck(const SeamModel& m, const Chain& a, const Chain& b) {
+  const Chain &band = a.length < b.length ? a : b, &neck = a.length < b.length ? b : a;
+  return a.whole && b.whole && band.runs.size() == 1 && is_of(m, band, PieceKind::kCollar) &&
+         m.words[m.runs[band.runs.front()].panel].stand &&
+         band.length > kSeriesWeights.rib_stretched * neck.length &&
+         std::none_of(neck.runs.begin(), neck.runs.end(),
+                      [&](Index r) { return m.words[m.runs[r].panel].kind == PieceKind::kCollar; });
+}
+
 /// What speaks for the two chains before the surface is looked at.
 double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   double merit = length_merit(a.length, b.length);
+  if (is_rib_on_neck(m, a, b)) merit = std::max(merit, kSeriesWeights.rib_on_neck);
   if (a.whole && b.whole && gores_in_order(m, a, b)) merit += kSeriesWeights.gores_in_order;
   merit += std::min(kSeriesWeights.corners_most,
                     kSeriesWeights.corner * static_cast<double>(meeting_corners(m, a, b)));

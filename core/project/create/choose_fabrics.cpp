@@ -29,6 +29,11 @@ constexpr GarmentWord kGarments[] = {
     {"leotard", "ponte"},
     {"bodysuit", "ponte"},
     {"swimsuit", "ponte"},
+    {"swimwear", "ponte"},
+    {"bikini", "ponte"},
+    {"rashguard", "ponte"},
+    {"underwear", "single-jersey"},
+    {"briefs", "single-jersey"},
     {"cardigan", "interlock"},
     {"sweater", "interlock"},
     {"pyjama", "poplin"},
@@ -78,10 +83,21 @@ bool are_trousers(const std::vector<std::string>& pieces) {
   return any(seams::PieceKind::kLegs) && !any(seams::PieceKind::kTorso);
 }
 
+/// A neckband that no collar is sewn to is a rib: knits have one, since nothing else closes their neck.
+bool are_of_a_knit(const std::vector<std::string>& pieces) {
+  bool band = false, collar = false;
+  for (const std::string& piece : pieces) {
+    const seams::PieceWords words = seams::words_of(piece);
+    if (words.kind == seams::PieceKind::kCollar) (words.stand ? band : collar) = true;
+  }
+  return band && !collar;
+}
+
 }  // namespace
 
 std::string garment_fabric(const std::string& name, const std::vector<std::string>& pieces) {
   if (const char* fabric = fabric_of(garment_words(name))) return fabric;
+  if (are_of_a_knit(pieces)) return "single-jersey";
   if (!are_trousers(pieces)) return "shirting";
   // Legs say by their own names what trousers they are: "LEGGING LEG", "JEANS BACK".
   for (const std::string& piece : pieces)

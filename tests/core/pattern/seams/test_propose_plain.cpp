@@ -86,6 +86,23 @@ TEST(PlainGarments, ASweatshirtHasItsBands) {
   EXPECT_TRUE(worn.takes("Sleeve.e0")) << "at a cuff";
 }
 
+TEST(PlainGarments, AShortRaglanSleeveStandsAndANeckbandOfRibIsStretchedOntoTheNeck) {
+  const pattern::Panel sleeve = piece("Sleeve", {{-165, 255},
+                                                 {165, 255},
+                                                 {190, 400, Vec2{140, 420}, Vec2{70, 540}},
+                                                 {35, 690},
+                                                 {-35, 665, Vec2{-70, 540}, Vec2{-140, 420}},
+                                                 {-190, 400}});
+  const pattern::Panel front = raglan_body("Front", 545, 620), back = raglan_body("Back", 610, 640);
+  const double sides = garments::length_of(front, 3) + garments::length_of(back, 3);
+  // As long as three of the four edges, by chance.
+  const double band = sides + garments::length_of(sleeve, 3);
+  const WornSeams worn({front, back, sleeve, mirrored(sleeve, "Sleeve_2"), strip("Neckband", band, 50)});
+  EXPECT_TRUE(worn.has({"Sleeve.e1"}, {"Sleeve.e5"}));
+  for (const char* edge : {"Front.e3", "Back.e3", "Sleeve.e3", "Sleeve_2.e3"})
+    EXPECT_TRUE(worn.takes(edge)) << edge;
+}
+
 /// Edges: hem, side and armhole in one, shoulder, neck, shoulder, the other side.
 pattern::Panel boxy(const std::string& name, double neck, bool notched) {
   pattern::Panel panel = piece(

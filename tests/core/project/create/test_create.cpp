@@ -241,6 +241,8 @@ TEST(ProjectNew, NamesTellWhatAGarmentIsMadeOf) {
   EXPECT_EQ(create::garment_fabric("shirt dress", bodice), "shirting");
   EXPECT_EQ(create::garment_fabric("trial", bodice), "shirting");
   EXPECT_EQ(create::garment_fabric("trial", legs), "twill") << "pieces tell, too";
+  EXPECT_EQ(create::garment_fabric("trial", {"front", "back", "sleeve", "neckband"}), "single-jersey");
+  EXPECT_EQ(create::garment_fabric("trial", {"front", "back", "collar", "neckband"}), "shirting");
   EXPECT_EQ(create::garment_fabric("trial", {"pant_front", "left_torso"}), "shirting") << "an overall";
   EXPECT_EQ(create::garment_fabric("trial", {"LEGGING LEG", "waistband"}), "ponte");
   EXPECT_EQ(create::garment_fabric("Bluse Anna", bodice), "shirting");
