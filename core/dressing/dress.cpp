@@ -20,9 +20,13 @@ constexpr int kSewing = kLater + kClosing + kPulling;
 constexpr int kGrowing = 90, kSpreading = 20;
 constexpr double kComingBack[] = {0.3,  0.5,  0.7, 0.85,
                                   0.95, 0.98, 0.99};  // shares of its size that cloth keeps
-constexpr double kHang = 1.5e-5;                      // as ShapeWishes
-constexpr double kOnBody = 0.04;                      // m
-constexpr double kFinishing = 0.01;                   // m, that a finer mesh is moved off the body at most
+/// Times its length that cloth gives way to while the body grows in it, and while it comes back. Tight
+/// garments go through the body where it gives less: a coarse ring of their girth cuts through a limb's
+/// bulges.
+constexpr double kYields = 1.2, kTakesUp = 1.04;
+constexpr double kHang = 1.5e-5;     // as ShapeWishes
+constexpr double kOnBody = 0.04;     // m
+constexpr double kFinishing = 0.01;  // m, that a finer mesh is moved off the body at most
 constexpr int kUntangling = 120;
 constexpr int kSmoothings = 3;
 constexpr double kSmooth = 1;  // bending, as ShapeWishes
@@ -142,7 +146,7 @@ std::vector<Thread> threads_of(const sewing::GarmentMesh& g, std::span<const Cov
   return threads;
 }
 
-ShapeWishes rubber(const DressingWay& way) { return {way.least_stretch, 1.05, way.bending, 1, 0.05, 0}; }
+ShapeWishes rubber(const DressingWay& way) { return {way.least_stretch, kYields, way.bending, 1, 0.05, 0}; }
 
 Shrunk shrunk_at(int pass) {
   const auto share = [](int since) { return std::max(0.0, 1 - static_cast<double>(since) / kClosing); };
@@ -231,7 +235,7 @@ std::vector<std::vector<Vec3>> come_back(const sewing::Assembly& assembly, const
   const collision::Surface surface = collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count);
   AxisGuard guard(axes_of(wearer.skeleton()), sewn.mesh.triangles, sewn.x);
   const auto pass = [&](std::vector<Vec3>& x, AxisGuard& of_x, double least, double bending) {
-    ShapeSolver solver(sewn.mesh, {}, {least, 1.02, bending, 0, 0.05, 0});
+    ShapeSolver solver(sewn.mesh, {}, {least, kTakesUp, bending, 0, 0.05, 0});
     for (int i = 0; i < kSpreading; ++i) {
       const std::vector<Vec3> before = x;
       shoulders.hold_in(x);
