@@ -348,7 +348,8 @@ bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
 }
 
 // Folding comes after drawing in: it leaves the hems of light cloth turned up, which drawing in as a whole
-// does not.
+// does not. Trousers, which hang from nothing that could be folded, are put on as long as they are where they
+// were placed.
 const std::vector<DressingWay>& dressing_ways() {
   using enum CutOn;
   static const std::vector<DressingWay> kWays{

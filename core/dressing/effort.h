@@ -21,6 +21,7 @@ class Effort {
   void spend(Index vertices, std::int64_t passes) { left_ -= vertices * passes; }
   /// Half of what is left, for one thing that is tried before others.
   Effort half() const { return Effort(left_ / 2); }
+  /// For one that is better than what this led to.
   Effort twice() const { return Effort(2 * left_); }
   /// What is left of this when `part` of it became `left`.
   Effort less(const Effort& part, const Effort& left) const {

@@ -68,13 +68,19 @@ pattern::Panel raglan_body(const std::string& name, double neck, double top) {
                       {-260, 380}});
 }
 
+/// What is set into it, from half of its hem's width and the hem's height. Edges: hem, side, raglan line,
+/// upper end, raglan line, side.
+pattern::Panel raglan_sleeve(double half_hem, double hem) {
+  return piece("Sleeve", {{-half_hem, hem},
+                          {half_hem, hem},
+                          {190, 400, Vec2{140, 420}, Vec2{70, 540}},
+                          {35, 690},
+                          {-35, 665, Vec2{-70, 540}, Vec2{-140, 420}},
+                          {-190, 400}});
+}
+
 TEST(PlainGarments, ASweatshirtHasItsBands) {
-  const pattern::Panel sleeve = piece("Sleeve", {{-100, 0},
-                                                 {100, 0},
-                                                 {190, 400, Vec2{140, 420}, Vec2{70, 540}},
-                                                 {35, 690},
-                                                 {-35, 665, Vec2{-70, 540}, Vec2{-140, 420}},
-                                                 {-190, 400}});
+  const pattern::Panel sleeve = raglan_sleeve(100, 0);
   const pattern::Panel cuff = strip("Cuff", 180, 70);
   const WornSeams worn({raglan_body("Front", 545, 620), raglan_body("Back", 610, 640), sleeve,
                         mirrored(sleeve, "Sleeve_2"), cuff, mirrored(cuff, "Cuff_2"),
@@ -87,12 +93,7 @@ TEST(PlainGarments, ASweatshirtHasItsBands) {
 }
 
 TEST(PlainGarments, AShortRaglanSleeveStandsAndANeckbandOfRibIsStretchedOntoTheNeck) {
-  const pattern::Panel sleeve = piece("Sleeve", {{-165, 255},
-                                                 {165, 255},
-                                                 {190, 400, Vec2{140, 420}, Vec2{70, 540}},
-                                                 {35, 690},
-                                                 {-35, 665, Vec2{-70, 540}, Vec2{-140, 420}},
-                                                 {-190, 400}});
+  const pattern::Panel sleeve = raglan_sleeve(165, 255);
   const pattern::Panel front = raglan_body("Front", 545, 620), back = raglan_body("Back", 610, 640);
   const double sides = garments::length_of(front, 3) + garments::length_of(back, 3);
   // As long as three of the four edges, by chance.
