@@ -20,10 +20,6 @@ constexpr int kSewing = kLater + kClosing + kPulling;
 constexpr int kGrowing = 90, kSpreading = 20;
 constexpr double kComingBack[] = {0.3,  0.5,  0.7, 0.85,
                                   0.95, 0.98, 0.99};  // shares of its size that cloth keeps
-/// Times its length that cloth gives way to while the body grows in it, and while it comes back. Tight
-/// garments go through the body where it gives less: a coarse ring of their girth cuts through a limb's
-/// bulges.
-constexpr double kYields = 1.2, kTakesUp = 1.04;
 constexpr double kHang = 1.5e-5;     // as ShapeWishes
 constexpr double kOnBody = 0.04;     // m
 constexpr double kFinishing = 0.01;  // m, that a finer mesh is moved off the body at most
@@ -146,7 +142,7 @@ std::vector<Thread> threads_of(const sewing::GarmentMesh& g, std::span<const Cov
   return threads;
 }
 
-ShapeWishes rubber(const DressingWay& way) { return {way.least_stretch, kYields, way.bending, 1, 0.05, 0}; }
+ShapeWishes rubber(const DressingWay& way) { return {way.least_stretch, way.give.growing, way.bending, 1, 0.05, 0}; }
 
 Shrunk shrunk_at(int pass) {
   const auto share = [](int since) { return std::max(0.0, 1 - static_cast<double>(since) / kClosing); };
@@ -235,7 +231,7 @@ std::vector<std::vector<Vec3>> come_back(const sewing::Assembly& assembly, const
   const collision::Surface surface = collision::make_surface(sewn.mesh.triangles, sewn.mesh.vertex_count);
   AxisGuard guard(axes_of(wearer.skeleton()), sewn.mesh.triangles, sewn.x);
   const auto pass = [&](std::vector<Vec3>& x, AxisGuard& of_x, double least, double bending) {
-    ShapeSolver solver(sewn.mesh, {}, {least, kTakesUp, bending, 0, 0.05, 0});
+    ShapeSolver solver(sewn.mesh, {}, {least, way.give.coming_back, bending, 0, 0.05, 0});
     for (int i = 0; i < kSpreading; ++i) {
       const std::vector<Vec3> before = x;
       shoulders.hold_in(x);
@@ -340,7 +336,8 @@ void finish(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dre
 
 bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const DressingWay& a,
               const DressingWay& b) {
-  if (a.slim != b.slim || a.least_stretch != b.least_stretch || a.bending != b.bending) return false;
+  if (a.slim != b.slim || a.least_stretch != b.least_stretch || a.bending != b.bending || a.give != b.give)
+    return false;
   const auto start = [&](const Staging& staging) {
     return staged(assembly, covers_of(assembly, wearer.figure(), staging.sleeves), wearer.figure(), staging);
   };
@@ -349,22 +346,24 @@ bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
 
 // Folding comes after drawing in: it leaves the hems of light cloth turned up, which drawing in as a whole
 // does not. Trousers, which hang from nothing that could be folded, are put on as long as they are where they
-// were placed.
+// were placed. Wide necks slide off a shoulder where cloth gives much; tight garments go through the body
+// where it gives little, since a coarse ring of their girth cuts through a limb's bulges: much is tried second.
 const std::vector<DressingWay>& dressing_ways() {
   using enum CutOn;
+  constexpr Give kMuch{1.2, 1.04};
   static const std::vector<DressingWay> kWays{
       {{0.12, 0, true, false, Wide::kSmaller, kAlongFreeArms}, 0.5, 0.3, 0.3},
       {{0.12, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
-      {{0.12, 0, true, false, Wide::kFolded, kAsPlaced}, 0.5, 0.3, 0.3},
-      {{0.08, 0.08, false, false, Wide::kAsPlaced, kAsPlaced}, 0.65, 0.3, 0.1},
-      {{0.12, 0.05, false, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
-      {{0.07, 0.07, true, true, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
-      {{0.05, 0.05, true, false, Wide::kSmaller, kAsPlaced}, 0.3, 0.3, 0.3},
-      {{0, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.3, 0.9, 0.3},
-      {{0.05, 0.05, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.9, 0.03},
-      {{0, 0.12, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3},
-      {{0, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.9, 0.03},
-      {{0.12, 0, true, false, Wide::kSmaller, kAlongArms}, 0.5, 0.3, 0.3}};
+      {{0.12, 0, true, false, Wide::kFolded, kAsPlaced}, 0.5, 0.3, 0.3, kMuch},
+      {{0.08, 0.08, false, false, Wide::kAsPlaced, kAsPlaced}, 0.65, 0.3, 0.1, kMuch},
+      {{0.12, 0.05, false, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3, kMuch},
+      {{0.07, 0.07, true, true, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3, kMuch},
+      {{0.05, 0.05, true, false, Wide::kSmaller, kAsPlaced}, 0.3, 0.3, 0.3, kMuch},
+      {{0, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.3, 0.9, 0.3, kMuch},
+      {{0.05, 0.05, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.9, 0.03, kMuch},
+      {{0, 0.12, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.3, 0.3, kMuch},
+      {{0, 0, true, false, Wide::kSmaller, kAsPlaced}, 0.5, 0.9, 0.03, kMuch},
+      {{0.12, 0, true, false, Wide::kSmaller, kAlongArms}, 0.5, 0.3, 0.3, kMuch}};
   return kWays;
 }
 

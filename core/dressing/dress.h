@@ -15,12 +15,20 @@
 
 namespace toile::dressing {
 
+/// Times its length that cloth gives way to.
+struct Give {
+  double growing = 1.05;      ///< while the body grows in it
+  double coming_back = 1.02;  ///< while it comes back to its shape
+  friend bool operator==(const Give&, const Give&) = default;
+};
+
 /// One way to try it.
 struct DressingWay {
   Staging staging;
   double slim = 0.5;           ///< share of its half thickness by which the body is drawn in
   double least_stretch = 0.3;  ///< to which cloth may shrink while it is sewn
   double bending = 0.1;
+  Give give = {};
 };
 
 struct Dressed {

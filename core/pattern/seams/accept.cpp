@@ -62,11 +62,10 @@ std::vector<char> loose_panels(const pattern::Pattern& pattern, std::span<const 
   for (Index p = 0; p < static_cast<Index>(area.size()); ++p)
     area[parts.root(p)] += std::abs(pattern::signed_area(pattern.panels[p].outline));
   const auto largest = static_cast<Index>(std::max_element(area.begin(), area.end()) - area.begin());
-  const std::vector<char> layers = lying_on_others(pattern);
   std::vector<char> loose;
   loose.reserve(area.size());
   for (Index p = 0; p < static_cast<Index>(area.size()); ++p)
-    loose.push_back((!any || parts.root(p) != largest) && !layers[p]);
+    loose.push_back(!any || parts.root(p) != largest);
   return loose;
 }
 
@@ -95,15 +94,19 @@ std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const 
   std::vector<bool> sewn = sewn_together(proposals, std::min(least_confidence, kFits));
   const std::vector<char> loose =
       loose_panels(pattern, proposals, sewn_together(proposals, least_confidence));
+  const std::vector<char> layers = lying_on_others(pattern);
   TakenEdges taken;
   for (std::size_t i = 0; i < proposals.size(); ++i)
     if (sewn[i]) taken.take(proposals[i]);
   for (std::size_t i = 0; i < proposals.size(); ++i) {
     const SeamProposal& p = proposals[i];
     const std::vector<pattern::SeamEdge> edges = both_sides(p);
-    const bool wanted = std::any_of(edges.begin(), edges.end(),
-                                    [&](const pattern::SeamEdge& e) { return loose[e.panel] != 0; });
-    if (sewn[i] || p.confidence < kLikely || taken.clashes(p)) continue;
+    const auto any = [&](const std::vector<char>& of) {
+      return std::any_of(edges.begin(), edges.end(),
+                         [&](const pattern::SeamEdge& e) { return of[e.panel] != 0; });
+    };
+    const bool wanted = any(loose);
+    if (sewn[i] || p.confidence < kLikely || taken.clashes(p) || any(layers)) continue;
     if (!wanted && !taken.goes_on(p) && !closes_leg(pattern, edges)) continue;
     sewn[i] = true;
     taken.take(p);

@@ -263,10 +263,17 @@ TEST(Staging, ALongBandBeginsOnTheStitchesThatHoldIt) {
 
 TEST(Staging, FoldingIsNoOtherWayWhereNothingIsWide) {
   const dressing::Wearer wearer(test::person());
-  const std::vector<dressing::DressingWay>& ways = dressing::dressing_ways();
-  ASSERT_EQ(ways[2].staging.below, dressing::Wide::kFolded);
-  EXPECT_TRUE(dressing::same_way(placed(plain_top()), wearer, ways[1], ways[2]));
-  EXPECT_FALSE(dressing::same_way(placed(circle_dress()), wearer, ways[1], ways[2]));
+  dressing::DressingWay smaller, folded;
+  folded.staging.below = dressing::Wide::kFolded;
+  EXPECT_TRUE(dressing::same_way(placed(plain_top()), wearer, smaller, folded));
+  EXPECT_FALSE(dressing::same_way(placed(circle_dress()), wearer, smaller, folded));
+}
+
+TEST(Staging, MoreGiveIsAnotherWay) {
+  const dressing::Wearer wearer(test::person());
+  dressing::DressingWay little, much;
+  much.give = {1.2, 1.04};
+  EXPECT_FALSE(dressing::same_way(placed(plain_top()), wearer, little, much));
 }
 
 TEST(Staging, ACircleDressIsPutOnByFoldingItsSkirt) {
