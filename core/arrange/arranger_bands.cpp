@@ -30,6 +30,14 @@ bool ends_top(const GarmentGraph& graph, Index band) {
   return any;
 }
 
+/// What a piece that is sewn to itself rolls up to.
+std::optional<Roll> own_roll(const GarmentGraph& graph, Index p) {
+  std::vector<std::array<Vec2, 2>> seam;
+  for (const GarmentTie& t : graph.ties)
+    if (t.a == p && t.b == p) seam.push_back({t.at_a, t.at_b});
+  return roll_of(std::move(seam), graph.pieces[p].centroid, graph.pieces[p].grain);
+}
+
 constexpr double kClose = 0.012;  // m, strips lie nearer than sheets, so that their ends meet
 constexpr double kSteepest = 0.6, kOffHips = 0.03;  // of a skirt's cone, as WrappedPlacement::slope; m
 /// As kLeastAround, of the trunk, which is flatter than round: the way that closes a tube runs behind it
@@ -181,14 +189,24 @@ std::optional<sewing::WrappedPlacement> Arranger::band_upon(Index p,
       there.push_back(t.a == p ? t.at_b : t.at_a);
     }
     if (mine.empty()) continue;
-    const Vec3 seam = sewing::place({mean_of(there)}, host).front() - host.axis;
+    // The stitches' middle in the flat lies off the edge where that is an arc.
+    const Vec3 toward = sewing::place({mean_of(there)}, host).front() - host.axis;
+    double height = 0, radius = 0;
+    for (const Vec3 at : sewing::place(there, host)) {
+      height += (at.y - host.axis.y) / static_cast<double>(there.size());
+      radius += std::hypot(at.x - host.axis.x, at.z - host.axis.z) / static_cast<double>(there.size());
+    }
     sewing::WrappedPlacement w = host;
     const Vec2 middle = plan_.graph.pieces[placed.piece].centroid;
-    const bool downwards = seam.y < (sewing::place({middle}, host).front() - host.axis).y;
+    const bool downwards = height < (sewing::place({middle}, host).front() - host.axis).y;
     hang_by(mine, downwards, p, w);
-    w.radius += kClose;
-    w.height = seam.y + (downwards ? -kSheetGap : kSheetGap);
-    w.angle = std::atan2(seam.x, seam.z);
+    // As the strip itself rolls up: the host's cone would turn the ends of a straight one down.
+    const std::optional<Roll> roll = own_roll(plan_.graph, p);
+    w.slope = roll ? std::min(roll->slope, kSteepest) : 0;
+    w.radius = radius + kClose;
+    if (roll) w.radius = std::min(w.radius, roll->above / (2 * std::numbers::pi * kLeastOfTrunk));
+    w.height = height + (downwards ? -kSheetGap : kSheetGap);
+    w.angle = std::atan2(toward.x, toward.z);
     return w;
   }
   return std::nullopt;
@@ -243,10 +261,7 @@ sewing::WrappedPlacement Arranger::tube_around(Index p) const {
   const GarmentPiece& piece = plan_.graph.pieces[p];
   const measure::BodyFigure& f = stand_.figure();
   sewing::WrappedPlacement w;
-  std::vector<std::array<Vec2, 2>> seam;
-  for (const GarmentTie& t : plan_.graph.ties)
-    if (t.a == p && t.b == p) seam.push_back({t.at_a, t.at_b});
-  const std::optional<Roll> roll = roll_of(std::move(seam), piece.centroid, piece.grain);
+  const std::optional<Roll> roll = own_roll(plan_.graph, p);
   if (!roll) return band_around(p, 0);
   w.height = piece.cover == Cover::kTorso ? f.armpit[0].y - kBelowArmpit : stand_.height_of_ring(roll->above);
   const Vec2 axis = stand_.middle_at(w.height);

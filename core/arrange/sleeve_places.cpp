@@ -9,6 +9,8 @@ namespace toile::arrange {
 
 namespace {
 
+constexpr double kSteepest = 0.3;  // m that the cone's radius changes by at most for each metre along the arm
+
 struct Chord {
   Vec2 first, last;
   bool any = false;
@@ -21,6 +23,22 @@ struct Chord {
   }
 };
 
+using Chords = std::map<std::array<Index, 3>, Chord>;  // by seam, other piece and side of the seam
+
+/// m that the sides come nearer by for each metre along them.
+double taper_of(const Chords& chords, Vec2 across, double long_seam) {
+  if (chords.size() < 2 || long_seam <= 0) return 0;
+  double least[2] = {HUGE_VAL, HUGE_VAL}, most[2] = {-HUGE_VAL, -HUGE_VAL};
+  for (const auto& [key, c] : chords) {
+    const double at[2] = {dot(c.first, across), dot(c.last, across)};
+    for (const int end : {0, 1}) {
+      least[end] = std::min(least[end], at[end]);
+      most[end] = std::max(most[end], at[end]);
+    }
+  }
+  return ((most[0] - least[0]) - (most[1] - least[1])) / long_seam;
+}
+
 bool is_in(const std::vector<Index>& list, Index p) {
   return std::find(list.begin(), list.end(), p) != list.end();
 }
@@ -31,7 +49,7 @@ SleeveLine line_of_sleeve(const GarmentGraph& graph, Index piece, const std::vec
   const GarmentPiece& p = graph.pieces[piece];
   Vec2 cap;
   int caps = 0;
-  std::map<std::array<Index, 3>, Chord> chords;  // by seam, other piece and side of the seam
+  Chords chords;
   for (const GarmentTie& tie : graph.ties) {
     for (const int side : {0, 1}) {
       const Index mine = side == 0 ? tie.a : tie.b, other = side == 0 ? tie.b : tie.a;
@@ -70,6 +88,7 @@ SleeveLine line_of_sleeve(const GarmentGraph& graph, Index piece, const std::vec
     right = std::max(right, dot(q, across));
   }
   line.breadth = right - left;
+  line.taper = taper_of(chords, across, line.length);
   line.begin = line.along * begin + across * dot(middle, across);
   return line;
 }
@@ -89,6 +108,7 @@ sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLi
   w.axis = arm.root;
   w.up = -arm.along();
   w.radius = radius;
+  if (line.breadth > 0) w.slope = std::clamp(-line.taper * radius / line.breadth, -kSteepest, kSteepest);
   w.height = -out;
   w.anchor = line.begin;
   w.flipped = flipped;

@@ -17,6 +17,7 @@ struct SleeveLine {
   Vec2 begin;          ///< m, on the middle line, level with the first stitch of the long seams
   double length = 0;   ///< m, of the long seams
   double breadth = 0;  ///< m, across
+  double taper = 0;    ///< by how much narrower it gets along the seams, m a metre; 0 where nothing tells
 };
 
 /// By the seams that run along the sleeve, to itself or to its other half; without those by the cap alone.
@@ -26,7 +27,9 @@ SleeveLine line_of_sleeve(const GarmentGraph& graph, Index piece, const std::vec
 /// the arm leaves the trunk.
 FlatMove sleeve_pose(const SleeveLine& line, const measure::ArmLine& arm, double out, bool mirrored);
 
-/// The sleeve rolled around the arm, its seam under the arm, `out` as above.
+/// The sleeve rolled around the arm, its seam under the arm, `out` as above: as a cone where it tapers, so that
+/// it covers as much of the circle at the hand as at the shoulder. A narrow end on a wide cylinder is a flat
+/// strip beside the wrist, and closes there.
 sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLine& arm,
                                     measure::BodySide side, double radius, double out, bool flipped);
 

@@ -18,8 +18,9 @@ namespace {
 /// Garments are put on by a mesh of this particle distance where theirs is finer: a shape needs no more.
 constexpr double kLeastCoarse = 0.02;  // m
 constexpr int kMostCoarse = 6000;      // particles, about
-/// Where no way of coarser cloth is certified, its ways are tried by that mesh as well, if it is so much
-/// finer: large triangles span folds and limbs that they have to get out of.
+/// Where no way is certified, they are tried by a finer mesh as well: where only crossings are in the way by
+/// the cloth's own, or where that is coarser by the one above, if it is so much finer. Large triangles span
+/// folds and limbs that they have to get out of.
 constexpr double kMuchFiner = 0.8;  // of the cloth's own particle distance
 
 /// Layers worn over each other: which of them is inside is known to contact alone.
@@ -67,16 +68,26 @@ dressing::TriedOn put_on_from(const DrapeInput& input, const mesh::PanelMeshes& 
   const auto fine = sewing::assemble(meshes, placements, {}, input.notions);
   if (!fine) return {};
   const double distance = coarse_distance(meshes), own = input.settings.particle_distance;
-  const auto by_mesh_of = [&](double shape, dressing::Effort left) {
+  const auto by_mesh_of = [&](double shape, std::size_t from, dressing::Effort left) {
     const auto other = coarse_assembly(input, placements, shape, context);
-    return dressing::put_on(*fine, other ? *other : *fine, wearer, context, first, left);
+    return dressing::put_on(*fine, other ? *other : *fine, wearer, context, from, left);
   };
-  if (own < distance) return by_mesh_of(distance, effort);
-  dressing::TriedOn tried = dressing::put_on(*fine, *fine, wearer, context, first, effort);
-  if (tried.on || tried.gave_up || own * kMuchFiner < distance || context.cancelled()) return tried;
-  dressing::TriedOn finer = by_mesh_of(distance, tried.effort);
-  if (finer.on) return finer;
-  tried.effort = finer.effort;
+  const auto by_own_mesh = [&](dressing::Effort left) {
+    return dressing::put_on(*fine, *fine, wearer, context, first, left);
+  };
+  const bool coarser = own < distance;
+  const dressing::Effort part = coarser ? effort.half() : effort;
+  dressing::TriedOn tried = coarser ? by_mesh_of(distance, first, part) : by_own_mesh(part);
+  tried.effort = effort.less(part, tried.effort);
+  const bool tangled = coarser && tried.shortfall.rings == 0;
+  const bool more_to_try = coarser ? tangled || tried.gave_up : !tried.gave_up && own * kMuchFiner >= distance;
+  if (tried.on || !more_to_try || context.cancelled()) return tried;
+  dressing::TriedOn more = tangled ? by_own_mesh(tried.effort)
+                                   : by_mesh_of(distance, coarser ? tried.next : first, tried.effort);
+  if (more.on || more.shortfall < tried.shortfall) return more;
+  tried.effort = more.effort;
+  tried.gave_up = more.gave_up;
+  tried.next = more.next;
   return tried;
 }
 

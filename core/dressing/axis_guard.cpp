@@ -1,12 +1,12 @@
 #include "core/dressing/axis_guard.h"
 
 #include <algorithm>
+#include <set>
 
 namespace toile::dressing {
 
 namespace {
 
-constexpr int kRounds = 6;             // of taking back, since what goes back may draw its neighbours in
 constexpr double kBeyondHands = 0.12;  // m, so that cuffs stay on while they are pulled
 
 /// Signed volume of the tetrahedron, times six.
@@ -41,6 +41,24 @@ std::vector<std::array<Vec3, 2>> axes_of(const Skeleton& skeleton) {
   return axes;
 }
 
+std::vector<Tri> across_seams(const sewing::GarmentMesh& garment) {
+  const auto edge = [](Index a, Index b) { return std::array{std::min(a, b), std::max(a, b)}; };
+  std::set<std::array<Index, 2>> edges;
+  for (const Tri& t : garment.triangles)
+    for (std::size_t k = 0; k < 3; ++k) edges.insert(edge(t[k], t[(k + 1) % 3]));
+  const auto meet = [&](Index a, Index b) { return a == b || edges.contains(edge(a, b)); };
+  std::vector<Tri> across;
+  for (std::size_t k = 0; k + 1 < garment.sewn.size(); ++k) {
+    const auto [i, j] = garment.sewn[k];
+    const auto [next_i, next_j] = garment.sewn[k + 1];
+    if (garment.seam_of_sewn[k] != garment.seam_of_sewn[k + 1] || !meet(i, next_i) || !meet(j, next_j))
+      continue;
+    if (i != next_i) across.push_back({i, next_i, j});
+    if (j != next_j) across.push_back({j, next_j, next_i});
+  }
+  return across;
+}
+
 AxisGuard::AxisGuard(std::vector<std::array<Vec3, 2>> axes, std::span<const Tri> triangles,
                      std::span<const Vec3> x)
     : axes_(std::move(axes)), triangles_(triangles), crossed_(crossed_at(x)) {}
@@ -62,26 +80,26 @@ std::vector<bool> AxisGuard::crossed_at(std::span<const Vec3> x) const {
 }
 
 void AxisGuard::keep(std::span<const Vec3> before, std::vector<Vec3>& x) {
-  // Where untangling moves a few vertices of many, the others need no look.
+  // Where untangling moves a few vertices of many, the others need no look; later only what went back does,
+  // which may draw its neighbours in. What is back stays back, so that this ends.
   std::vector<bool> moved(x.size());
   for (std::size_t v = 0; v < x.size(); ++v) moved[v] = !(x[v] == before[v]);
   std::vector<bool> now = crossed_;
-  const auto look = [&] {
+  for (bool taken_back = true; taken_back;) {
+    taken_back = false;
     for (std::size_t t = 0; t < now.size(); ++t) {
       const Tri& corners = triangles_[t];
       if (moved[corners[0]] || moved[corners[1]] || moved[corners[2]]) now[t] = is_crossed(t, x);
     }
-  };
-  look();
-  for (int round = 0; round < kRounds; ++round) {
-    bool taken_back = false;
+    std::fill(moved.begin(), moved.end(), false);
     for (std::size_t t = 0; t < now.size(); ++t) {
       if (!now[t] || crossed_[t]) continue;
-      for (const Index v : triangles_[t]) x[v] = before[static_cast<std::size_t>(v)];
-      taken_back = true;
+      for (const Index v : triangles_[t]) {
+        if (x[v] == before[static_cast<std::size_t>(v)]) continue;
+        x[v] = before[static_cast<std::size_t>(v)];
+        moved[v] = taken_back = true;
+      }
     }
-    if (!taken_back) break;
-    look();
   }
   crossed_ = std::move(now);
 }

@@ -7,11 +7,16 @@
 #include <vector>
 
 #include "core/dressing/linking.h"
+#include "core/sewing/garment_mesh.h"
 
 namespace toile::dressing {
 
 /// The middle lines of the body's limbs, as straight pieces within it, m.
 std::vector<std::array<Vec3, 2>> axes_of(const Skeleton& skeleton);
+
+/// Triangles that close the gaps between the edges that seams join: sewn, none of them has an area. A limb that
+/// came out through a gap would stay outside.
+std::vector<Tri> across_seams(const sewing::GarmentMesh& garment);
 
 class AxisGuard {
  public:

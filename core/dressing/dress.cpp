@@ -153,6 +153,12 @@ Shrunk shrunk_at(int pass) {
 
 namespace {
 
+/// Where they are not, no untangling helps: the next way is tried sooner.
+bool rings_right(const sewing::GarmentMesh& g, std::span<const Vec3> x, const Skeleton& skeleton) {
+  const std::vector<WornRing> rings = worn_rings(g, x, skeleton);
+  return std::all_of(rings.begin(), rings.end(), [](const WornRing& r) { return r.right; });
+}
+
 /// Threads draw the pieces together around the slim figure.
 std::vector<Vec3> drawn_together(const sewing::Assembly& assembly, const Wearer& wearer,
                                  const DressingWay& way, const RunContext& context, const ShapeWatch& watch) {
@@ -162,7 +168,10 @@ std::vector<Vec3> drawn_together(const sewing::Assembly& assembly, const Wearer&
   const SlimFigure slim = wearer.slim(way.slim);
   Sewn open = shape_of(assembly, each_for_itself(g.vertex_count()), start);
   ShapeSolver solver(open.mesh, threads_of(g, covers, start), rubber(way));
-  AxisGuard guard(axes_of(wearer.skeleton()), open.mesh.triangles, open.x);
+  std::vector<Tri> guarded = open.mesh.triangles;
+  if (rings_right(g, start, wearer.skeleton()))
+    for (const Tri& t : across_seams(g)) guarded.push_back(t);
+  AxisGuard guard(axes_of(wearer.skeleton()), guarded, open.x);
   std::optional<KeptOnArms> on_arms;
   if (are_along_arms(covers, way.staging.sleeves)) on_arms.emplace(assembly, covers, wearer.figure(), open.x);
   for (int i = 0; i < kSewing && !context.cancelled(); ++i) {
@@ -201,12 +210,6 @@ void grow(const sewing::Assembly& assembly, const Wearer& wearer, const Dressing
     guard.keep(before, sewn.x);
     context.progress("dress", 0.5 + 0.3 * i / kGrowing);
   }
-}
-
-/// Where they are not, no untangling helps: the next way is tried sooner.
-bool rings_right(const sewing::GarmentMesh& g, std::span<const Vec3> x, const Skeleton& skeleton) {
-  const std::vector<WornRing> rings = worn_rings(g, x, skeleton);
-  return std::all_of(rings.begin(), rings.end(), [](const WornRing& r) { return r.right; });
 }
 
 /// Gaps that contact can begin with.

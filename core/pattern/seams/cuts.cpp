@@ -77,8 +77,8 @@ int meeting_ends(const SeamModel& m, const Line& a, const Line& b) {
 bool has_partner(const SeamModel& m, Index r) {
   for (Index other = 0; other < static_cast<Index>(m.runs.size()); ++other) {
     if (m.runs[other].panel == m.runs[r].panel || other == m.mirror[r]) continue;
-    if (m.runs[r].cap && !m.tailored && begins_at_hem(m, m.runs[other]))
-      continue;  // a side that is as long by chance
+    const bool of_hem = begins_at_hem(m, m.runs[other]) || m.runs[other].up < -kPairWeights.facing;
+    if (m.runs[r].cap && !m.tailored && of_hem) continue;  // a side or a hem that is as long by chance
     if (difference(m.runs[other].length, m.runs[r].length) < kCutWeights.alike) return true;
   }
   return false;

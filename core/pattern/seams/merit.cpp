@@ -58,6 +58,16 @@ bool has_bust_ease(const SeamModel& m, Index i, Index j) {
          difference(a, b) < kPairWeights.bust_ease && begins_at_hem(m, a) && begins_at_hem(m, b);
 }
 
+/// Whether the runs are the shoulders of a front and a back of which the back's is a little longer: it is eased
+/// over the shoulder blade (Aldrich, Metric Pattern Cutting for Women's Wear: by some 1 cm).
+bool has_shoulder_ease(const SeamModel& m, Index i, Index j) {
+  const SeamRun &a = m.runs[i], &b = m.runs[j];
+  const int face = m.words[a.panel].face;
+  const SeamRun &front = face > 0 ? a : b, &back = face > 0 ? b : a;
+  return are_torsos(m, i, j) && face * m.words[b.panel].face < 0 && back.length > front.length &&
+         difference(a, b) < kPairWeights.shoulder_ease && std::min(a.up, b.up) > kPairWeights.facing;
+}
+
 /// What the lengths say, `lengths` or not: along the grain cloth is gathered seldom.
 double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool counterparts, bool gathers) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
@@ -74,7 +84,7 @@ double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool coun
   if (known && std::min(rise(m, a), rise(m, b)) > kPairWeights.upright)
     merit -= (has_bust_ease(m, i, j) ? kPairWeights.ease_bust : kPairWeights.ease_upright) *
              std::clamp(off / fair - kPairWeights.ease_begins, 0.0, 1.0);
-  if (lengths && straight && off < kPairWeights.gathered)
+  if (lengths && straight && off < kPairWeights.gathered && !has_shoulder_ease(m, i, j))
     merit -= kPairWeights.inexact *
              std::clamp(off / kPairWeights.inexact_share - kPairWeights.inexact_begins, 0.0, 1.0);
   return merit;

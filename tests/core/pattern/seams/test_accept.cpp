@@ -96,6 +96,16 @@ TEST(AcceptSeams, ALiningDoesWithoutALikelySeam) {
             (std::vector<bool>{true, false}));
 }
 
+/// The pocket of a hooded shirt was sewn to its hood, which no seam held surely enough.
+TEST(AcceptSeams, APieceThatNothingHoldsIsNotSewnToALayer) {
+  const std::vector<seams::SeamProposal> proposals{proposal(0.9, {0, 1}, {1, 3}),
+                                                   proposal(0.6, {2, 0}, {3, 2})};
+  EXPECT_EQ(seams::sewn_to_wear(front_and_back_and({"hood", "lining"}), proposals, 0.8),
+            (std::vector<bool>{true, false}));
+  EXPECT_EQ(seams::sewn_to_wear(front_and_back_and({"hood", "yoke"}), proposals, 0.8),
+            (std::vector<bool>{true, true}));
+}
+
 TEST(AcceptSeams, SeamsThatThePatternHasHoldPieces) {
   pattern::Pattern pattern = front_and_back_and({"yoke"});
   pattern.seams = {test::seam("s", {{0, 2}}, {{2, 0}}), test::seam("t", {{0, 1}}, {{1, 3}})};
