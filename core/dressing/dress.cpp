@@ -168,10 +168,8 @@ std::vector<Vec3> drawn_together(const sewing::Assembly& assembly, const Wearer&
   const SlimFigure slim = wearer.slim(way.slim);
   Sewn open = shape_of(assembly, each_for_itself(g.vertex_count()), start);
   ShapeSolver solver(open.mesh, threads_of(g, covers, start), rubber(way));
-  std::vector<Tri> guarded = open.mesh.triangles;
-  if (rings_right(g, start, wearer.skeleton()))
-    for (const Tri& t : across_seams(g)) guarded.push_back(t);
-  AxisGuard guard(axes_of(wearer.skeleton()), guarded, open.x);
+  AxisGuard guard(axes_of(wearer.skeleton()), open.mesh.triangles, open.x,
+                  rings_right(g, start, wearer.skeleton()) ? gaps_of(g, covers, wearer.skeleton()) : Gaps{});
   std::optional<KeptOnArms> on_arms;
   if (are_along_arms(covers, way.staging.sleeves)) on_arms.emplace(assembly, covers, wearer.figure(), open.x);
   for (int i = 0; i < kSewing && !context.cancelled(); ++i) {
