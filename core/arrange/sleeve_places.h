@@ -27,9 +27,9 @@ SleeveLine line_of_sleeve(const GarmentGraph& graph, Index piece, const std::vec
 /// the arm leaves the trunk.
 FlatMove sleeve_pose(const SleeveLine& line, const measure::ArmLine& arm, double out, bool mirrored);
 
-/// The sleeve rolled around the arm, its seam under the arm, `out` as above: as a cone where it tapers, so that
-/// it covers as much of the circle at the hand as at the shoulder. A narrow end on a wide cylinder is a flat
-/// strip beside the wrist, and closes there.
+/// The sleeve rolled around the arm, its seam under the arm, `out` as above: as a cone where it tapers, so
+/// that it covers as much of the circle at the hand as at the shoulder. A narrow end on a wide cylinder is a
+/// flat strip beside the wrist, and closes there.
 sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLine& arm,
                                     measure::BodySide side, double radius, double out, bool flipped);
 

@@ -80,10 +80,11 @@ dressing::TriedOn put_on_from(const DrapeInput& input, const mesh::PanelMeshes& 
   dressing::TriedOn tried = coarser ? by_mesh_of(distance, first, part) : by_own_mesh(part);
   tried.effort = effort.less(part, tried.effort);
   const bool tangled = coarser && tried.shortfall.rings == 0;
-  const bool more_to_try = coarser ? tangled || tried.gave_up : !tried.gave_up && own * kMuchFiner >= distance;
+  const bool more_to_try =
+      coarser ? tangled || tried.gave_up : !tried.gave_up && own * kMuchFiner >= distance;
   if (tried.on || !more_to_try || context.cancelled()) return tried;
-  dressing::TriedOn more = tangled ? by_own_mesh(tried.effort)
-                                   : by_mesh_of(distance, coarser ? tried.next : first, tried.effort);
+  dressing::TriedOn more =
+      tangled ? by_own_mesh(tried.effort) : by_mesh_of(distance, coarser ? tried.next : first, tried.effort);
   if (more.on || more.shortfall < tried.shortfall) return more;
   tried.effort = more.effort;
   tried.gave_up = more.gave_up;

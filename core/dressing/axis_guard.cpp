@@ -61,8 +61,8 @@ Gaps gaps_of(const sewing::GarmentMesh& garment, std::span<const Covers> covers,
   for (std::size_t k = 0; k + 1 < garment.sewn.size(); ++k) {
     const auto [i, j] = garment.sewn[k];
     const auto [next_i, next_j] = garment.sewn[k + 1];
-    const bool one_gap = garment.seam_of_sewn[k] == garment.seam_of_sewn[k + 1] && meet(i, next_i) &&
-                         meet(j, next_j);
+    const bool one_gap =
+        garment.seam_of_sewn[k] == garment.seam_of_sewn[k + 1] && meet(i, next_i) && meet(j, next_j);
     if (!one_gap || !on_limb(i) || !on_limb(j)) continue;
     if (i != next_i) gaps.triangles.push_back({i, next_i, j});
     if (j != next_j) gaps.triangles.push_back({j, next_j, next_i});

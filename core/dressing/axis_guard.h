@@ -24,8 +24,8 @@ struct Gaps {
   std::vector<Tri> triangles;  ///< from one edge to the other
 };
 
-/// The gaps in what is for arms and legs, which alone are kept in: over a shoulder the straight way from front
-/// to back leads through the body at first.
+/// The gaps in what is for arms and legs, which alone are kept in: over a shoulder the straight way from
+/// front to back leads through the body at first.
 Gaps gaps_of(const sewing::GarmentMesh& garment, std::span<const Covers> covers, const Skeleton& skeleton);
 
 class AxisGuard {

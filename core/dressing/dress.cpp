@@ -20,9 +20,9 @@ constexpr int kSewing = kLater + kClosing + kPulling;
 constexpr int kGrowing = 90, kSpreading = 20;
 constexpr double kComingBack[] = {0.3,  0.5,  0.7, 0.85,
                                   0.95, 0.98, 0.99};  // shares of its size that cloth keeps
-constexpr double kHang = 1.5e-5;     // as ShapeWishes
-constexpr double kOnBody = 0.04;     // m
-constexpr double kFinishing = 0.01;  // m, that a finer mesh is moved off the body at most
+constexpr double kHang = 1.5e-5;                      // as ShapeWishes
+constexpr double kOnBody = 0.04;                      // m
+constexpr double kFinishing = 0.01;                   // m, that a finer mesh is moved off the body at most
 constexpr int kUntangling = 120;
 constexpr int kSmoothings = 3;
 constexpr double kSmooth = 1;  // bending, as ShapeWishes
@@ -142,7 +142,9 @@ std::vector<Thread> threads_of(const sewing::GarmentMesh& g, std::span<const Cov
   return threads;
 }
 
-ShapeWishes rubber(const DressingWay& way) { return {way.least_stretch, way.give.growing, way.bending, 1, 0.05, 0}; }
+ShapeWishes rubber(const DressingWay& way) {
+  return {way.least_stretch, way.give.growing, way.bending, 1, 0.05, 0};
+}
 
 Shrunk shrunk_at(int pass) {
   const auto share = [](int since) { return std::max(0.0, 1 - static_cast<double>(since) / kClosing); };
@@ -348,7 +350,8 @@ bool same_way(const sewing::Assembly& assembly, const Wearer& wearer, const Dres
 // Folding comes after drawing in: it leaves the hems of light cloth turned up, which drawing in as a whole
 // does not. Trousers, which hang from nothing that could be folded, are put on as long as they are where they
 // were placed. Wide necks slide off a shoulder where cloth gives much; tight garments go through the body
-// where it gives little, since a coarse ring of their girth cuts through a limb's bulges: much is tried second.
+// where it gives little, since a coarse ring of their girth cuts through a limb's bulges: much is tried
+// second.
 const std::vector<DressingWay>& dressing_ways() {
   using enum CutOn;
   constexpr Give kMuch{1.2, 1.04};

@@ -58,8 +58,8 @@ bool has_bust_ease(const SeamModel& m, Index i, Index j) {
          difference(a, b) < kPairWeights.bust_ease && begins_at_hem(m, a) && begins_at_hem(m, b);
 }
 
-/// Whether the runs are the shoulders of a front and a back of which the back's is a little longer: it is eased
-/// over the shoulder blade (Aldrich, Metric Pattern Cutting for Women's Wear: by some 1 cm).
+/// Whether the runs are the shoulders of a front and a back of which the back's is a little longer: it is
+/// eased over the shoulder blade (Aldrich, Metric Pattern Cutting for Women's Wear: by some 1 cm).
 bool has_shoulder_ease(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   const int face = m.words[a.panel].face;

@@ -67,6 +67,26 @@ TEST(Arrange, SleevesGoAroundTheArmsThatTheirSeamsLeadTo) {
   EXPECT_EQ(cuffs, 2);
 }
 
+/// A narrow end on a cylinder that is as wide as the upper arm would be a flat strip beside the wrist.
+TEST(Arrange, ASleeveThatTapersCoversAsMuchOfTheArmAtTheHand) {
+  pattern::Pattern pattern = test::shirt();
+  const std::vector<Vec2> narrow{{-85, -250}, {85, -250}, {175, 90}, {0, 235}, {-175, 90}};
+  pattern.panels[2] = polygon("sleeve_a", narrow);
+  pattern.panels[3] = polygon("sleeve_b", narrow);
+  const Start s = started(pattern);
+  expect_clean(s);
+  const sewing::GarmentMesh& g = s.assembly.garment;
+  for (const int seam : {4, 5}) {
+    std::vector<double> gaps;
+    for (std::size_t k = 0; k < g.sewn.size(); ++k)
+      if (g.seam_of_sewn[k] == seam)
+        gaps.push_back(length(s.assembly.positions[g.sewn[k][0]] - s.assembly.positions[g.sewn[k][1]]));
+    ASSERT_GT(gaps.size(), 4U);
+    const double ratio = gaps.front() / gaps.back();
+    EXPECT_NEAR(std::max(ratio, 1 / ratio), 350.0 / 170.0, 0.25) << "open by as much of its breadth";
+  }
+}
+
 TEST(Arrange, SymmetricPartnersStandAsMirrorImages) {
   const Start s = started(test::shirt());
   const Vec3 left = centre_of(s, 2), right = centre_of(s, 3);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/core/arrange/garments.h"
 #include "tests/core/arrange/started.h"
@@ -34,6 +35,34 @@ TEST(ArrangeTubes, ASkirtOfOnePieceHangsFromItsBandAtTheWaist) {
   expect_around(s);
   EXPECT_NEAR(centre_of(s, 1).y, figure().waist, 0.08);
   EXPECT_LT(centre_of(s, 0).y, centre_of(s, 1).y - 0.2) << "the skirt below its band";
+}
+
+/// Half a disc: its cone would turn the ends of a straight band down, beside the hips.
+TEST(ArrangeTubes, TheBandOfACircleSkirtStandsLevel) {
+  pattern::Pattern pattern;
+  std::vector<Vec2> outline;
+  constexpr int kParts = 24;
+  const auto at = [](double radius, int k) {
+    const double angle = std::numbers::pi * (1 + static_cast<double>(k) / kParts);
+    return Vec2{radius * std::cos(angle), radius * std::sin(angle)};
+  };
+  for (int k = 0; k <= kParts; ++k) outline.push_back(at(700, k));
+  for (int k = kParts; k >= 0; --k) outline.push_back(at(250, k));
+  pattern.panels = {polygon("skirt", outline), polygon("waistband", {{0, 0}, {785, 0}, {785, 60}, {0, 60}})};
+  std::vector<pattern::SeamEdge> waist;
+  for (Index k = kParts + 1; k < 2 * kParts + 1; ++k) waist.push_back({0, k});
+  pattern.seams = {seam("back", {{0, kParts}}, {{0, 2 * kParts + 1}}), seam("band_back", {{1, 1}}, {{1, 3}})};
+  pattern.seams.push_back({"waist", {{1, 0}}, waist, false});
+  const Start s = started(pattern);
+  expect_clean(s);
+  expect_around(s);
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (Index v = s.assembly.garment.first_vertex[1]; v < s.assembly.garment.first_vertex[2]; ++v) {
+    low = std::min(low, s.assembly.positions[v].y);
+    high = std::max(high, s.assembly.positions[v].y);
+  }
+  EXPECT_NEAR(high - low, 0.06, 5e-3) << "as high as it is wide";
+  EXPECT_NEAR(0.5 * (high + low), figure().waist, 0.1);
 }
 
 TEST(ArrangeTubes, ASkirtOfOnePieceAloneHasItsUpperEndWhereTheTrunkIsAsWide) {

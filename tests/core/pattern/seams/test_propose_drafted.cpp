@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/pattern/seams/gluing.h"
+#include "core/pattern/seams/model.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/seams/second_layers.h"
 #include "tests/core/pattern/garments.h"
@@ -16,6 +18,7 @@ namespace toile {
 namespace {
 
 using garments::bodice;
+using garments::length_of;
 using garments::mirrored;
 using garments::piece;
 using garments::strip;
@@ -215,6 +218,52 @@ TEST(DraftedGarments, SidePartsOfAFrontGoToTheBacks) {
               worn.has({"frontOutside.e1"}, {"backOutside_mirrored.e1"}))
       << worn.text();
   EXPECT_FALSE(worn.takes("frontOutside.e2")) << "the armhole";
+}
+
+/// A T-shirt whose hem happens to be as long as a sleeve's cap: the cap has no partner there, and is parted
+/// between front and back as any other.
+TEST(DraftedGarments, ACapThatIsAsLongAsAHemIsSetIn) {
+  const auto body = [](const std::string& name, double half, double neck) {
+    return bodice(name, {half, 0}, {half, 287, Vec2{half - 45, 300}, Vec2{half - 72, 390}}, {half - 48, 485},
+                  {78, 515, Vec2{70, neck}});
+  };
+  const double armhole = length_of(body("probe", 242, 440), 2);
+  const pattern::Panel front = body("front", armhole, 440), back = body("back", armhole, 500);
+  const auto sleeve = [](double size) {
+    return piece("sleeve",
+                 {{-97 * size, 0},
+                  {97 * size, 0},
+                  {162 * size, 468 * size, Vec2{80 * size, 480 * size}, Vec2{75 * size, 594 * size}},
+                  {0, 594 * size, Vec2{-75 * size, 594 * size}, Vec2{-80 * size, 480 * size}},
+                  {-162 * size, 468 * size}});
+  };
+  pattern::Panel set_in = sleeve(1);
+  set_in = sleeve(2 * armhole / (length_of(set_in, 2) + length_of(set_in, 3)));
+  auto& edges = set_in.outline.edges;
+  edges[2].curves.push_back(edges[3].curves[0]);  // the cap is one edge
+  edges.erase(edges.begin() + 3);
+  for (std::size_t k = 0; k < edges.size(); ++k) edges[k].id = "e" + std::to_string(k);
+  ASSERT_NEAR(length_of(set_in, 2), length_of(front, 0), 1);
+  const WornSeams worn({front, back, set_in, mirrored(set_in, "sleeve_mirrored")});
+  EXPECT_TRUE(worn.takes("front.e2") && worn.takes("front.e6") && worn.takes("back.e2") &&
+              worn.takes("back.e6"))
+      << worn.text();
+  EXPECT_FALSE(worn.takes("front.e0") || worn.takes("back.e0")) << worn.text();
+}
+
+/// Shoulders are straight, and all straight edges else that differ are drawn to be sewn to others.
+TEST(DraftedGarments, TheBacksShoulderIsEasedOntoTheFronts) {
+  const auto merit = [](double front, double back) {
+    const auto body = [](const std::string& name, double shoulder, double neck) {
+      return bodice(name, {250, 0}, {255, 345, Vec2{215, 355}, Vec2{195, 440}}, {70 + shoulder, 530},
+                    {70, 545, Vec2{40, neck}});
+    };
+    const pattern::Pattern pattern{{body("Front", front, 470), body("Back", back, 535)}, {}};
+    const seams::SeamModel model = seams::make_seam_model(pattern);
+    return seams::pair_merit(model, 3, 8 + 5)[0];
+  };
+  EXPECT_GT(merit(130, 135), merit(135, 130) + 1);
+  EXPECT_GT(merit(130, 135), merit(130, 150) + 1) << "by so much nothing is eased there";
 }
 
 }  // namespace
