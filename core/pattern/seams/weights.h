@@ -17,9 +17,9 @@
 // gathered caps on twenty plain garments drawn for the purpose, and tried on eleven others; those for yokes,
 // wrists of cut-on sleeves and cuffs of legs on a dozen more; those for second layers, drafted darts, raglans
 // with an armhole's end, bust ease and flies on twenty-two designs of FreeSewing drafted anew, ten of
-// which are well worn since; of eleven others one is; those for eased shoulders and for caps as long as hems on
-// two of these in other sizes. What is changed here is to be scored
-// again on all of them, the two halves told apart.
+// which are well worn since; of eleven others one is; those for eased shoulders and for caps as long as hems
+// on two of these in other sizes. What is changed here is to be scored again on all of them, the two halves
+// told apart.
 
 #include <cstddef>
 
