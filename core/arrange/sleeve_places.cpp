@@ -9,7 +9,8 @@ namespace toile::arrange {
 
 namespace {
 
-constexpr double kSteepest = 0.3;  // m that the cone's radius changes by at most for each metre along the arm
+constexpr double kMostTaper =
+    0.3;  // m that the cone's radius changes by at most for each metre along the arm
 
 struct Chord {
   Vec2 first, last;
@@ -108,7 +109,7 @@ sewing::WrappedPlacement around_arm(const SleeveLine& line, const measure::ArmLi
   w.axis = arm.root;
   w.up = -arm.along();
   w.radius = radius;
-  if (line.breadth > 0) w.slope = std::clamp(-line.taper * radius / line.breadth, -kSteepest, kSteepest);
+  if (line.breadth > 0) w.slope = std::clamp(-line.taper * radius / line.breadth, -kMostTaper, kMostTaper);
   w.height = -out;
   w.anchor = line.begin;
   w.flipped = flipped;

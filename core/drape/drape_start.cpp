@@ -85,7 +85,8 @@ dressing::TriedOn put_on_from(const DrapeInput& input, const mesh::PanelMeshes& 
   if (tried.on || !more_to_try || context.cancelled()) return tried;
   dressing::TriedOn more =
       tangled ? by_own_mesh(tried.effort) : by_mesh_of(distance, coarser ? tried.next : first, tried.effort);
-  if (more.on || more.shortfall < tried.shortfall) return more;
+  // Ways that are one for this garment are passed over: where no other was left, nothing is told.
+  if (more.on || (!more.at_fault.empty() && more.shortfall < tried.shortfall)) return more;
   tried.effort = more.effort;
   tried.gave_up = more.gave_up;
   tried.next = more.next;

@@ -155,7 +155,8 @@ Shrunk shrunk_at(int pass) {
 
 namespace {
 
-/// Where they are not, no untangling helps: the next way is tried sooner.
+/// Whether every ring goes around a limb. What no limb came out of yet is worth guarding; where one is wrong
+/// once the body is whole, no untangling helps, and the next way is tried sooner.
 bool rings_right(const sewing::GarmentMesh& g, std::span<const Vec3> x, const Skeleton& skeleton) {
   const std::vector<WornRing> rings = worn_rings(g, x, skeleton);
   return std::all_of(rings.begin(), rings.end(), [](const WornRing& r) { return r.right; });

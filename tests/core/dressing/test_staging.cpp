@@ -279,7 +279,9 @@ TEST(Staging, MoreGiveIsAnotherWay) {
 TEST(Staging, ACircleDressIsPutOnByFoldingItsSkirt) {
   const dressing::Wearer wearer(test::person());
   const sewing::Assembly dress = placed(circle_dress());
-  const dressing::Dressed on = dressing::dress(dress, wearer, dressing::dressing_ways()[2], {});
+  const dressing::DressingWay& way = dressing::dressing_ways()[2];
+  ASSERT_EQ(way.staging.below, dressing::Wide::kFolded);
+  const dressing::Dressed on = dressing::dress(dress, wearer, way, {});
   EXPECT_TRUE(on.certificate.holds());
   EXPECT_LT(on.certificate.shrink_p99, 0.4) << "hardly squeezed";
 }
