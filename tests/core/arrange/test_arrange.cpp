@@ -171,25 +171,40 @@ TEST(Arrange, EachTrouserLegGoesAroundItsOwnLeg) {
   EXPECT_FALSE(s.made.attachments.empty()) << "the waist is held";
 }
 
-/// Their crotch lies farther to the side of a leg's middle than above it.
-TEST(Arrange, ShortWideTrousersStandUprightWithoutAWaistband) {
+pattern::Pattern shorts_of(const std::vector<Vec2>& front, const std::vector<Vec2>& back) {
   pattern::Pattern shorts;
-  const std::vector<Vec2> front{{0, 0}, {480, 0}, {540, 303}, {440, 520}, {40, 520}};
-  const std::vector<Vec2> back{{0, 0}, {540, 0}, {500, 520}, {60, 520}, {-95, 303}};
   shorts.panels = {test::polygon("pant_f_r", front), test::turned_over("pant_f_l", front),
                    test::polygon("pant_b_r", back), test::turned_over("pant_b_l", back)};
   shorts.seams = test::trousers().seams;
-  const Start s = started(shorts);
+  return shorts;
+}
+
+/// m, how far the lowest of the piece's waist lies above the highest of its hem: what of it is drawn above
+/// `waist` and below `hem`.
+double waist_over_hem(const Start& s, Index piece, double waist, double hem) {
   const sewing::GarmentMesh& g = s.assembly.garment;
-  for (Index p = 0; p < 4; ++p) {
-    double waist = HUGE_VAL, hem = -HUGE_VAL;  // the lowest of the one, the highest of the other
-    for (Index v = g.first_vertex[p]; v < g.first_vertex[p + 1]; ++v) {
-      const double y = s.assembly.positions[v].y;
-      if (g.rest[v].y > 0.519) waist = std::min(waist, y);
-      if (g.rest[v].y < 0.001) hem = std::max(hem, y);
-    }
-    EXPECT_GT(waist - hem, 0.35) << p;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (Index v = g.first_vertex[piece]; v < g.first_vertex[piece + 1]; ++v) {
+    const double y = s.assembly.positions[v].y;
+    if (g.rest[v].y > waist) low = std::min(low, y);
+    if (g.rest[v].y < hem) high = std::max(high, y);
   }
+  return low - high;
+}
+
+/// Their crotch lies farther to the side of a leg's middle than above it.
+TEST(Arrange, ShortWideTrousersStandUprightWithoutAWaistband) {
+  const Start s = started(shorts_of({{0, 0}, {480, 0}, {540, 303}, {440, 520}, {40, 520}},
+                                    {{0, 0}, {540, 0}, {500, 520}, {60, 520}, {-95, 303}}));
+  for (Index p = 0; p < 4; ++p) EXPECT_GT(waist_over_hem(s, p, 0.519, 0.001), 0.35) << p;
+}
+
+/// Their crotch leads down past a leg's middle, so that its upper end is no farther from there than its
+/// lower.
+TEST(Arrange, TrunksStandUprightByTheirInnerSeams) {
+  const Start s = started(shorts_of({{60, 0}, {370, -37}, {390, 45}, {280, 280}, {0, 285}},
+                                    {{-20, -37}, {330, 0}, {290, 285}, {80, 285}, {-40, 45}}));
+  for (Index p = 0; p < 4; ++p) EXPECT_GT(waist_over_hem(s, p, 0.279, 0.001), 0.15) << p;
 }
 
 /// m, middle of the piece's lowest 6 cm: hems slant.
