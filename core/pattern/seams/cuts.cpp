@@ -159,8 +159,9 @@ Two best_two(const SeamModel& m, const std::vector<Line>& lines, Index r, double
 /// corner: a raglan sleeve may be eased onto the slope and the end of the armhole below it.
 double most_of_bent(const SeamModel& m, const Line& line, Index r) {
   const SeamRun &first = m.runs[line.runs[0]], &second = m.runs[line.runs[1]];
-  const bool short_end = std::min(first.length, second.length) < kCutWeights.shortest_mm;
-  const bool raglan = m.words[m.runs[r].panel].kind == PieceKind::kSleeve && short_end &&
+  const bool end = std::min(first.length, second.length) < kCutWeights.shortest_mm ||
+                   is_armhole_end(m, first) || is_armhole_end(m, second);
+  const bool raglan = m.words[m.runs[r].panel].kind == PieceKind::kSleeve && end &&
                       m.words[first.panel].kind == PieceKind::kTorso;
   if (raglan) return kCutWeights.ease_raglan;
   return std::abs(second.angle - 180) < kCutWeights.bent_deg ? kCutWeights.exact : 0;

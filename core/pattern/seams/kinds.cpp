@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/pattern/seams/cuts.h"
+#include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
@@ -168,6 +169,18 @@ double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sl
          (sleeve.cap ? kPairWeights.cap : -kPairWeights.cap);
 }
 
+/// Whether the run is of a sleeve that stands upright and none of its ends meets the seam under the arm.
+bool is_off_underarm(const SeamModel& m, const SeamRun& sleeve) {
+  const bool meets = (sleeve.from == 0 && begins_at_hem(m, run_before(m, sleeve))) ||
+                     (sleeve.to == 1 && begins_at_hem(m, m.runs[sleeve.next]));
+  return m.words[sleeve.panel].kind == PieceKind::kSleeve && m.upright[sleeve.panel] && !meets;
+}
+
+/// Whether the run is the end of an armhole, which goes under the arm, and the other one cannot lie there.
+bool is_off_armhole_end(const SeamModel& m, const SeamRun& torso, const SeamRun& other) {
+  return is_armhole_end(m, torso) && (is_neck(m.words[other.panel].kind) || is_off_underarm(m, other));
+}
+
 /// Numbers of inserts run to the right, seen from the front, as the places do that they are let into.
 double insert_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const bool first = m.words[a.panel].kind == PieceKind::kInsert;
@@ -243,9 +256,7 @@ double strap_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 /// Whether the runs are a collar's and the upper end of a sleeve that goes up to the neck between front and
 /// back.
 bool is_raglan_neck(const SeamModel& m, const SeamRun& collar, const SeamRun& sleeve) {
-  return is_neck(m.words[collar.panel].kind) && m.words[sleeve.panel].kind == PieceKind::kSleeve &&
-         m.upright[sleeve.panel] && !sleeve.cap && sleeve.up > kPairWeights.facing &&
-         sleeve.length < kPairWeights.crotch * m.girth[sleeve.panel];
+  return is_neck(m.words[collar.panel].kind) && is_raglan_top(m, sleeve);
 }
 
 /// Whether the run may be a brief's crotch: short, between the openings for the legs.
@@ -274,7 +285,7 @@ int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 
 bool is_armhole_end(const SeamModel& m, const SeamRun& run) {
   const auto is_slope = [&](const SeamRun& other) {
-    return other.up > kPairWeights.facing && !begins_at_hem(m, other) && other.length > run.length;
+    return other.up > kPairWeights.armhole_slope && !begins_at_hem(m, other) && other.length > run.length;
   };
   const SeamRun &before = run_before(m, run), &after = m.runs[run.next];
   return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] && !begins_at_hem(m, run) &&
@@ -350,6 +361,7 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   if (!ever_meet(ka, kb) || (on_limb(x) && on_limb(y) && x.leg != y.leg)) return kPairWeights.never_meet;
   if (ka == PieceKind::kStrap || kb == PieceKind::kStrap) return strap_merit(m, a, b);
   if (is_for_arm(m, a) && is_for_arm(m, b)) return kPairWeights.never_meet;
+  if (is_off_armhole_end(m, a, b) || is_off_armhole_end(m, b, a)) return kPairWeights.never_meet;
   const bool left_and_right = m.twin[a.panel] == b.panel && a.panel != b.panel && x.face * y.face >= 0;
   if (left_and_right && (x.flank || (x.limb && y.limb))) return kPairWeights.both_sleeves;
   if ((is_neck(ka) && y.flank) || (is_neck(kb) && x.flank))

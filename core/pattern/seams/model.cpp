@@ -313,6 +313,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   find_hands(model);
   find_caps(model);
   find_standing_sleeves(model);
+  find_raglan_sleeves(model);
   find_sides(model);
   match_mirrors(model);
   find_open_fronts(model);

@@ -54,6 +54,7 @@ struct SeamModel {
   /// are the wearer's left ones seen from outside, -1 where it is the other way round, 0 where nothing tells.
   int handed = 0;
   bool tailored = false;  ///< a sleeve has an under part: its upper end, in the armhole, is hollow
+  bool raglan = false;    ///< a sleeve goes up to the neck between front and back
   bool has_band = false;  ///< a waistband: what hangs from the waist hangs from it
   /// Of each panel: it is a frill whose limb has a cuff, so that it hangs from that.
   std::vector<char> below_cuff;

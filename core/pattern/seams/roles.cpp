@@ -151,6 +151,20 @@ void find_standing_sleeves(SeamModel& m) {
   }
 }
 
+bool is_raglan_top(const SeamModel& m, const SeamRun& run) {
+  return m.words[run.panel].kind == PieceKind::kSleeve && m.upright[run.panel] && !run.cap &&
+         run.up > kPairWeights.facing && run.length < kPairWeights.crotch * m.girth[run.panel];
+}
+
+void find_raglan_sleeves(SeamModel& m) {
+  m.raglan = std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+    const auto is_slope = [&](const SeamRun& other) {
+      return other.length > run.length && other.up > kPairWeights.armhole_slope && !begins_at_hem(m, other);
+    };
+    return is_raglan_top(m, run) && is_slope(run_before(m, run)) && is_slope(m.runs[run.next]);
+  });
+}
+
 void find_sides(SeamModel& m) {
   for (std::size_t r = 0; r < m.runs.size(); ++r) m.runs[r].side = is_side(m, static_cast<Index>(r));
 }

@@ -20,6 +20,12 @@ void find_caps(SeamModel& m);
 /// they are sewn under the arm, so that the sleeve stands. A sleeve that lies has its ends there.
 void find_standing_sleeves(SeamModel& m);
 
+/// `raglan`. REQUIRES caps and standing sleeves.
+void find_raglan_sleeves(SeamModel& m);
+
+/// Whether the run is the upper end of a sleeve that goes up to the neck: short, level, and no cap.
+bool is_raglan_top(const SeamModel& m, const SeamRun& run);
+
 /// `side`.
 void find_sides(SeamModel& m);
 

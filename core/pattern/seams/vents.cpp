@@ -93,9 +93,11 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
       along_grain > kPairWeights.twin_straight_rise && !is_vent(m, run) && !stands_out(m, run) &&
       !m.opens[run.panel])
     merit += kind == PieceKind::kHood ? kPairWeights.twin_face : kPairWeights.twin_straight;
-  if (run.turn.back() < kPairWeights.twin_hollow_deg && kind == PieceKind::kLegs)
+  const bool hollow = run.turn.back() < kPairWeights.twin_hollow_deg;
+  if (hollow && kind == PieceKind::kHood) merit += kPairWeights.twin_face;
+  if (hollow && kind == PieceKind::kLegs)
     merit += kPairWeights.twin_crotch;
-  else if (run.turn.back() < kPairWeights.twin_hollow_deg)
+  else if (hollow)
     merit += kPairWeights.twin_hollow *
              std::clamp((kPairWeights.twin_upright_rise - along_grain) / kPairWeights.twin_upright_width, 0.0,
                         1.0);

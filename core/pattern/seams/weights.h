@@ -63,7 +63,8 @@ struct PairWeights {
   double hollow_deg = -40;       ///< turning of an armhole
   double two_hollows = -3;       ///< armholes go to caps, not to armholes …
   double two_armholes = -8;      ///< … least of all where both are known
-  double armhole_end_deg = -20;  ///< turning of an armhole's end below a raglan sleeve's slope, at least
+  double armhole_end_deg = -20;  ///< turning of an armhole's end below a raglan sleeve's slope, at least …
+  double armhole_slope = 0.4;    ///< … and how much that slope faces up
 
   // Heights along the grain: pieces mostly lie as they are worn.
   double level = 0.08;         ///< spread of heights over the length; an even slope has 0.29
@@ -104,6 +105,7 @@ struct PairWeights {
   double fully_inner = 0.9;     ///< … and its centre front
   double not_middle = -4;
   double outer_sides = -10;     ///< the sides of a left and a right front to each other
+  double raglan_neck = -4;      ///< for a part of a neck that goes through raglan sleeves: only all of it fits
   double armhole = 1.5;         ///< for a sleeve at a hollow edge of a bodice, against it at others
   double insert_face = 2;       ///< inserts of the front are let into the front
   double cap = 1.5;             ///< for a sleeve's cap there, against its other edges …
@@ -142,7 +144,7 @@ struct PairWeights {
   double twin_round_deg = 45;
   double twin_round_front = -6;     ///< a front's round edge …
   double round_front_rise = 0.85;   ///< … of this rise
-  double twin_face = -2;            ///< a hood's straight edge is around the face
+  double twin_face = -2;            ///< a hood's straight or hollow edge is around the face
   double collar_long = -6;          ///< pieces of a collar do not meet along an edge …
   double collar_end = 0.28;         ///< … of more than this share of their outline
   double fold_on_stand = 0.004;     ///< … but for a collar on its stand, where lengths differ by less
