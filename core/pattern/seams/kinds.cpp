@@ -253,6 +253,15 @@ double strap_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return is_end && !closes ? 0 : kPairWeights.never_meet;
 }
 
+/// Whether the runs are the upper edge of a band and the hem of a leg that it is far too long for, as
+/// waistbands are.
+bool is_waist_on_leg(const SeamModel& m, const SeamRun& band, const SeamRun& leg) {
+  constexpr double kLonger = 1.5;
+  return m.words[band.panel].kind == PieceKind::kBand && m.words[leg.panel].kind == PieceKind::kLegs &&
+         band.up > kPairWeights.facing && leg.up < -kPairWeights.facing &&
+         m.girth[band.panel] / 2 > kLonger * leg.length;
+}
+
 /// Whether the runs are a collar's and the upper end of a sleeve that goes up to the neck between front and
 /// back.
 bool is_raglan_neck(const SeamModel& m, const SeamRun& collar, const SeamRun& sleeve) {
@@ -382,6 +391,7 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
     return kPairWeights.never_meet;
   const bool upright = m.upright[a.panel] && m.upright[b.panel];
   if (hangs > 0) return kPairWeights.hangs + (upright ? 0 : kPairWeights.hanging_face * x.face * y.face);
+  if (is_waist_on_leg(m, a, b) || is_waist_on_leg(m, b, a)) return kPairWeights.never_meet;
   if (hangs < 0) return kPairWeights.hangs_not;
   const bool hanging = ka != kb && (hangs_from(ka, kb) > 0 || hangs_from(kb, ka) > 0);
   return hanging && upright && !is_neck(ka) && !is_neck(kb) ? kPairWeights.only_hangs : 0;

@@ -175,14 +175,15 @@ void find_between(SeamModel& m) {
 
 /// Whether the piece has a shoulder by its shape: a straight edge between two hollow ones, armhole and neck;
 /// or two straight ones that face up, with a hollow or pointed neck between them, as where sleeves are cut
-/// on.
+/// on. A hollow edge that begins at the hem is a side, and what is beside it a waist.
 bool has_shoulder(const SeamModel& m, Index panel) {
   const auto slopes = [](const SeamRun& run) {
     return bend_of(run) < kPairWeights.straight_deg && run.up > kPairWeights.level_shoulder_up;
   };
   return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
     if (run.panel != panel) return false;
-    if (bend_of(run) < kPairWeights.straight_deg && lies_between_hollows(m, run)) return true;
+    const bool beside_side = begins_at_hem(m, m.runs[run.next]) || begins_at_hem(m, run_before(m, run));
+    if (bend_of(run) < kPairWeights.straight_deg && lies_between_hollows(m, run) && !beside_side) return true;
     const SeamRun& neck = m.runs[run.next];
     const SeamRun& after = m.runs[neck.next];
     const bool pointed = equally_long(neck.length, after.length) && after.angle > kPairWeights.pointed_deg;

@@ -40,17 +40,33 @@ bool is_side(const SeamModel& m, Index r) {
   });
 }
 
+/// Whether the run is a side of a narrow corner cut into the piece, as the legs of a waist's dart are.
+bool is_beside_cut(const SeamModel& m, const SeamRun& run) {
+  constexpr double kNarrow = 300;  // degrees of cloth
+  return run.angle > kNarrow || m.runs[run.next].angle > kNarrow;
+}
+
+/// The first run after the waist that begins at `start`, its darts left out; nothing where that is none.
+template <class Step>
+const SeamRun* beyond_waist(const SeamModel& m, const SeamRun& start, Step step) {
+  if (start.up < kPairWeights.facing) return nullptr;
+  const SeamRun* run = &start;
+  do run = &step(*run);
+  while (run != &start && (run->up > kPairWeights.facing || is_beside_cut(m, *run)));
+  return run == &start ? nullptr : run;
+}
+
 /// Whether the run is the hollow edge of a leg, between its inner edge and its waist.
 bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
   if (run.turn.back() > kPairWeights.twin_hollow_deg || std::abs(run.up) > kPairWeights.facing) return false;
-  const SeamRun &before = run_before(m, run), &after = m.runs[run.next];
-  const auto waist_above = [&](const SeamRun& waist, const SeamRun& side) {
-    const bool faces_apart = faces_right(m, side) * faces_right(m, run) < 0;
-    return waist.up > kPairWeights.facing && faces_apart && begins_at_hem(m, side) &&
-           side.turn.back() > kPairWeights.hollow_deg;
+  const auto forwards = [&](const SeamRun& at) -> const SeamRun& { return m.runs[at.next]; };
+  const auto backwards = [&](const SeamRun& at) -> const SeamRun& { return run_before(m, at); };
+  const auto is_outer = [&](const SeamRun* side) {
+    return side != nullptr && faces_right(m, *side) * faces_right(m, run) < 0 && begins_at_hem(m, *side) &&
+           side->turn.back() > kPairWeights.hollow_deg;
   };
-  if (begins_at_hem(m, before) && waist_above(after, m.runs[after.next])) return true;
-  return begins_at_hem(m, after) && waist_above(before, run_before(m, before));
+  if (begins_at_hem(m, backwards(run)) && is_outer(beyond_waist(m, forwards(run), forwards))) return true;
+  return begins_at_hem(m, forwards(run)) && is_outer(beyond_waist(m, backwards(run), backwards));
 }
 
 /// How long the edge is that goes from a front's hem up to the shoulder, which faces up and outwards;
