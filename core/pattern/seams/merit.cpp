@@ -152,9 +152,11 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
                  facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
   if (hangs > 0 && takes_both_halves(m, i, j)) merit += kPairWeights.half_takes_all;
   const bool sides = begins_at_hem(m, a) && begins_at_hem(m, b) && !twins;
-  if (!sides && (!twins || a.panel == b.panel) &&
-      std::max(a.turn.back(), b.turn.back()) < kPairWeights.hollow_deg)
-    merit += are_torsos(m, i, j) ? kPairWeights.two_armholes : kPairWeights.two_hollows;
+  const bool torsos = are_torsos(m, i, j);  // of which no part of an armhole meets one of another
+  const double turn =
+      torsos ? std::max(a.line_turn, b.line_turn) : std::max(a.turn.back(), b.turn.back());
+  if (!sides && (!twins || a.panel == b.panel) && turn < kPairWeights.hollow_deg)
+    merit += torsos ? kPairWeights.two_armholes : kPairWeights.two_hollows;
   if (is_armhole_end(m, a) && is_armhole_end(m, b)) merit += kPairWeights.two_armholes;
   if (turns_in(m, a) && turns_in(m, b) && !(is_below_arm(m, a) && is_below_arm(m, b)))
     merit += kPairWeights.two_corners;

@@ -231,6 +231,23 @@ void name_hem_bands(SeamModel& m) {
     if (w.hem_band) w.kind = PieceKind::kBand;
 }
 
+/// `line_turn`: an armhole may be drawn in parts, which go on from one to the next.
+void find_line_turns(SeamModel& m) {
+  const auto bends = [&](const SeamRun& to) { return 180 - to.angle; };  // between two edges, degrees
+  const auto goes_on = [&](const SeamRun& from, const SeamRun& to) {
+    return std::abs(bends(to)) < kGarmentWeights.smooth_deg && !begins_at_hem(m, from) && !begins_at_hem(m, to);
+  };
+  for (SeamRun& run : m.runs) {
+    run.line_turn = run.turn.back();
+    for (const SeamRun* at = &run; goes_on(*at, m.runs[at->next]) && at->next != static_cast<Index>(&run - m.runs.data());
+         at = &m.runs[at->next])
+      run.line_turn += bends(m.runs[at->next]) + m.runs[at->next].turn.back();
+    for (const SeamRun *at = &run, *before = &run_before(m, run); goes_on(*before, *at) && before != &run;
+         at = before, before = &run_before(m, *at))
+      run.line_turn += bends(*at) + before->turn.back();
+  }
+}
+
 /// Without arms a garment with legs has its cuffs there, whether their names say so or not.
 void name_leg_cuffs(SeamModel& m) {
   const auto any = [&](auto is) { return std::any_of(m.words.begin(), m.words.end(), is); };
@@ -307,6 +324,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   name_trunk(model);
   name_hem_bands(model);
   find_rows(pattern, model);
+  find_line_turns(model);
   find_twins(model);
   name_legs(model);
   name_leg_cuffs(model);

@@ -28,6 +28,7 @@ struct SeamRun {
   Index mirror_panel = kNone, mirror_edge = kNone;  ///< the edge that mirrors its edge, itself perhaps
   std::array<Vec2, kSamples> at;                    ///< mm, evenly along it, ends included
   std::array<double, kSamples - 1> turn;  ///< degrees from its first chord, of each chord between samples
+  double line_turn = 0;                   ///< degrees, of its whole edge and of those that go on from it
   bool open_front = false;                ///< of a pair of fronts, from the middle round into the hem
   bool straight = true;                   ///< drawn as a line: within 0.2 % of its length
   std::vector<double> notches;            ///< mm from its start
