@@ -7,44 +7,10 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/seams/second_layers.h"
+#include "core/pattern/seams/taken_edges.h"
 
 namespace toile::seams {
 namespace {
-
-std::vector<pattern::SeamEdge> both_sides(const SeamProposal& p) {
-  std::vector<pattern::SeamEdge> edges = p.seam.a;
-  edges.insert(edges.end(), p.seam.b.begin(), p.seam.b.end());
-  return edges;
-}
-
-/// Edges that seams have taken.
-class TakenEdges {
- public:
-  bool clashes(const SeamProposal& p) const {
-    constexpr double kTouching = 1e-6;  // of an edge's length: parts that meet share nothing
-    const std::vector<pattern::SeamEdge> edges = both_sides(p);
-    return std::any_of(edges.begin(), edges.end(), [&](const pattern::SeamEdge& e) {
-      return std::any_of(taken_.begin(), taken_.end(), [&](const pattern::SeamEdge& t) {
-        return t.panel == e.panel && t.edge == e.edge &&
-               std::min(t.to, e.to) - std::max(t.from, e.from) > kTouching;
-      });
-    });
-  }
-  /// Whether a part of one of its edges is sewn, and this is more of it: a sleeve is not set in by half.
-  bool goes_on(const SeamProposal& p) const {
-    const std::vector<pattern::SeamEdge> edges = both_sides(p);
-    return std::any_of(edges.begin(), edges.end(), [&](const pattern::SeamEdge& e) {
-      return std::any_of(taken_.begin(), taken_.end(),
-                         [&](const pattern::SeamEdge& t) { return t.panel == e.panel && t.edge == e.edge; });
-    });
-  }
-  void take(const SeamProposal& p) {
-    for (const pattern::SeamEdge& e : both_sides(p)) taken_.push_back(e);
-  }
-
- private:
-  std::vector<pattern::SeamEdge> taken_;
-};
 
 /// One a panel: whether seams do not join it to the largest part of the garment, by area. All, where there is
 /// no seam.
@@ -56,8 +22,8 @@ std::vector<char> loose_panels(const pattern::Pattern& pattern, std::span<const 
     for (const pattern::SeamEdge& e : edges) any |= parts.join(edges.front().panel, e.panel);
   };
   for (std::size_t i = 0; i < proposals.size(); ++i)
-    if (sewn[i]) join(both_sides(proposals[i]));
-  for (const pattern::Seam& seam : pattern.seams) join(both_sides(SeamProposal{seam, 1, 0, 0}));
+    if (sewn[i]) join(both_sides(proposals[i].seam));
+  for (const pattern::Seam& seam : pattern.seams) join(both_sides(seam));
   std::vector<double> area(pattern.panels.size(), 0);
   for (Index p = 0; p < static_cast<Index>(area.size()); ++p)
     area[parts.root(p)] += std::abs(pattern::signed_area(pattern.panels[p].outline));
@@ -83,8 +49,8 @@ std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double 
   TakenEdges taken;
   std::vector<bool> sewn;
   for (const SeamProposal& p : proposals) {
-    sewn.push_back(p.confidence >= least_confidence && !taken.clashes(p));
-    if (sewn.back()) taken.take(p);
+    sewn.push_back(p.confidence >= least_confidence && !taken.clashes(p.seam));
+    if (sewn.back()) taken.take(p.seam);
   }
   return sewn;
 }
@@ -97,19 +63,19 @@ std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const 
   const std::vector<char> layers = lying_on_others(pattern);
   TakenEdges taken;
   for (std::size_t i = 0; i < proposals.size(); ++i)
-    if (sewn[i]) taken.take(proposals[i]);
+    if (sewn[i]) taken.take(proposals[i].seam);
   for (std::size_t i = 0; i < proposals.size(); ++i) {
     const SeamProposal& p = proposals[i];
-    const std::vector<pattern::SeamEdge> edges = both_sides(p);
+    const std::vector<pattern::SeamEdge> edges = both_sides(p.seam);
     const auto any = [&](const std::vector<char>& of) {
       return std::any_of(edges.begin(), edges.end(),
                          [&](const pattern::SeamEdge& e) { return of[e.panel] != 0; });
     };
     const bool wanted = any(loose);
-    if (sewn[i] || p.confidence < kLikely || taken.clashes(p) || any(layers)) continue;
-    if (!wanted && !taken.goes_on(p) && !closes_leg(pattern, edges)) continue;
+    if (sewn[i] || p.confidence < kLikely || taken.clashes(p.seam) || any(layers)) continue;
+    if (!wanted && !taken.goes_on(p.seam) && !closes_leg(pattern, edges)) continue;
     sewn[i] = true;
-    taken.take(p);
+    taken.take(p.seam);
   }
   return sewn;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -26,7 +27,7 @@ bool is_twin(const SeamModel& m, Index r, Index other) {
 bool has_whole_partner(const SeamModel& m, Index r) {
   for (Index other = 0; other < static_cast<Index>(m.runs.size()); ++other)
     if (m.runs[other].panel != m.runs[r].panel && !is_twin(m, r, other) &&
-        same_length(m.runs[other].length, m.runs[r].length))
+        same_length(m.runs[other].length, m.runs[r].length) && !never_sewn(m, r, other))
       return true;
   return false;
 }
@@ -98,14 +99,14 @@ class NotchedRun {
     return std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& other) {
       const SeamRun& run = m_.runs[other.run];
       return run.panel != m_.runs[r_].panel && other.lonely && other.length < run.length &&
-             same_length(other.length, stops_.back());
+             same_length(other.length, stops_.back()) && !never_sewn(m_, r_, other.run);
     });
   }
   bool is_met(double part) const {
     if (part < kCutWeights.least_part_mm) return false;
     return std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& other) {
       return m_.runs[other.run].panel != m_.runs[r_].panel && (other.lonely || !needs_lonely_) &&
-             same_length(other.length, part);
+             same_length(other.length, part) && !never_sewn(m_, r_, other.run);
     });
   }
 

@@ -13,9 +13,11 @@
 #include "core/pattern/seams/accept.h"
 #include "core/pattern/seams/confidence.h"
 #include "core/pattern/seams/lines.h"
+#include "core/pattern/seams/mirror_images.h"
 #include "core/pattern/seams/search.h"
 #include "core/pattern/seams/second_layers.h"
 #include "core/pattern/seams/sleeve_head.h"
+#include "core/pattern/seams/taken_edges.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -82,26 +84,12 @@ std::vector<FoundSeam> parts_of(const FoundSeams& found, const FoundSeam& seam) 
   return parts;
 }
 
-bool all_reversed(const std::vector<pattern::SeamEdge>& side) {
-  return std::all_of(side.begin(), side.end(), [](const pattern::SeamEdge& e) { return e.reversed; });
-}
-
-/// Says "reversed" for a whole side by the seam's direction, as people would.
-void plainly(pattern::Seam& seam) {
-  for (std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b}) {
-    if (!all_reversed(*side)) continue;
-    std::reverse(side->begin(), side->end());
-    for (pattern::SeamEdge& e : *side) e.reversed = false;
-    seam.same_direction = !seam.same_direction;
-  }
-}
-
 SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam, double belief) {
   SeamProposal p;
   p.seam.a = series_of(found, seam.a, p.length_a);
   std::vector<Index> other(seam.b.rbegin(), seam.b.rend());  // walked with the cloth at the left, too
   p.seam.b = series_of(found, other, p.length_b);
-  plainly(p.seam);
+  say_plainly(p.seam);
   p.confidence = confidence_of(found, seam, p.length_a, p.length_b) * belief;
   return p;
 }
@@ -280,7 +268,8 @@ bool runs_clockwise(std::span<const Vec2> outline) { return geometry::signed_are
 
 std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern, const ProposalSettings& settings,
                                         const RunContext& context) {
-  std::vector<SeamProposal> proposals = proposals_by_layers(pattern, settings, context);
+  std::vector<SeamProposal> proposals =
+      with_mirror_images(pattern, proposals_by_layers(pattern, settings, context));
   std::set<std::string> ids;
   for (const pattern::Seam& seam : pattern.seams) ids.insert(seam.id);
   int number = 0;
