@@ -128,12 +128,16 @@ bool has_whole_back(const SeamModel& m) {
   return false;
 }
 
-/// Whether the run is of a bodice and cannot be at its neck: it faces the side, slopes as a shoulder, or is
-/// the hem.
+/// Whether the run is of a bodice or its yoke and cannot be at its neck: it faces the side, slopes as a
+/// shoulder, or is the hem, or comes up from there; bands go up fronts in halves.
 bool is_off_neck(const SeamModel& m, const SeamRun& run) {
+  const PieceWords& words = m.words[run.panel];
   const bool hem = m.upright[run.panel] && run.up < -kPairWeights.facing_fully;
-  return m.words[run.panel].kind == PieceKind::kTorso &&
-         (from_side(m, run) < -kPairWeights.off_neck || is_shoulder(m, run) || hem);
+  if (words.yoke && hem) return true;
+  if (words.kind != PieceKind::kTorso) return false;
+  const bool parted_front = words.face >= 0 && m.twin[run.panel] != run.panel;
+  return hem || from_side(m, run) < -kPairWeights.off_neck || is_shoulder(m, run) ||
+         (!parted_front && begins_at_hem(m, run));
 }
 
 bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
