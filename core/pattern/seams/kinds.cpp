@@ -300,10 +300,13 @@ bool is_armhole_end(const SeamModel& m, const SeamRun& run) {
   const auto is_slope = [&](const SeamRun& other) {
     return other.up > kPairWeights.armhole_slope && !begins_at_hem(m, other) && other.length > run.length;
   };
+  const auto is_side = [&](const SeamRun& other) {  // a middle goes up to the neck
+    return begins_at_hem(m, other) && from_side(m, other) <= 0;
+  };
   const SeamRun &before = run_before(m, run), &after = m.runs[run.next];
   return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] && !begins_at_hem(m, run) &&
          run.up > kPairWeights.facing && run.turn.back() < kPairWeights.armhole_end_deg &&
-         ((begins_at_hem(m, before) && is_slope(after)) || (begins_at_hem(m, after) && is_slope(before)));
+         ((is_side(before) && is_slope(after)) || (is_side(after) && is_slope(before)));
 }
 
 bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b) {

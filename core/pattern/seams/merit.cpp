@@ -153,8 +153,7 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   if (hangs > 0 && takes_both_halves(m, i, j)) merit += kPairWeights.half_takes_all;
   const bool sides = begins_at_hem(m, a) && begins_at_hem(m, b) && !twins;
   const bool torsos = are_torsos(m, i, j);  // of which no part of an armhole meets one of another
-  const double turn =
-      torsos ? std::max(a.line_turn, b.line_turn) : std::max(a.turn.back(), b.turn.back());
+  const double turn = torsos ? std::max(a.line_turn, b.line_turn) : std::max(a.turn.back(), b.turn.back());
   if (!sides && (!twins || a.panel == b.panel) && turn < kPairWeights.hollow_deg)
     merit += torsos ? kPairWeights.two_armholes : kPairWeights.two_hollows;
   if (is_armhole_end(m, a) && is_armhole_end(m, b)) merit += kPairWeights.two_armholes;

@@ -83,17 +83,16 @@ std::vector<SeamProposal> with_mirror_images(const pattern::Pattern& pattern,
     if (!image || is_one(*image, proposals[i].seam) || taken.clashes(*image)) continue;
     taken.take(*image);
     const double confidence = kConfidenceWeights.mirror_image * proposals[i].confidence;
-    const auto told = std::find_if(all.begin(), all.end(),
-                                   [&](const SeamProposal& p) { return is_one(p.seam, *image); });
+    const auto told =
+        std::find_if(all.begin(), all.end(), [&](const SeamProposal& p) { return is_one(p.seam, *image); });
     if (told != all.end()) {
       told->confidence = std::max(told->confidence, confidence);
       continue;
     }
     all.push_back({*image, confidence, proposals[i].length_a, proposals[i].length_b});
   }
-  std::stable_sort(all.begin(), all.end(), [](const SeamProposal& x, const SeamProposal& y) {
-    return x.confidence > y.confidence;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const SeamProposal& x, const SeamProposal& y) { return x.confidence > y.confidence; });
   return all;
 }
 

@@ -235,11 +235,13 @@ void name_hem_bands(SeamModel& m) {
 void find_line_turns(SeamModel& m) {
   const auto bends = [&](const SeamRun& to) { return 180 - to.angle; };  // between two edges, degrees
   const auto goes_on = [&](const SeamRun& from, const SeamRun& to) {
-    return std::abs(bends(to)) < kGarmentWeights.smooth_deg && !begins_at_hem(m, from) && !begins_at_hem(m, to);
+    return std::abs(bends(to)) < kGarmentWeights.smooth_deg && !begins_at_hem(m, from) &&
+           !begins_at_hem(m, to);
   };
   for (SeamRun& run : m.runs) {
     run.line_turn = run.turn.back();
-    for (const SeamRun* at = &run; goes_on(*at, m.runs[at->next]) && at->next != static_cast<Index>(&run - m.runs.data());
+    for (const SeamRun* at = &run;
+         goes_on(*at, m.runs[at->next]) && at->next != static_cast<Index>(&run - m.runs.data());
          at = &m.runs[at->next])
       run.line_turn += bends(m.runs[at->next]) + m.runs[at->next].turn.back();
     for (const SeamRun *at = &run, *before = &run_before(m, run); goes_on(*before, *at) && before != &run;

@@ -99,14 +99,14 @@ class NotchedRun {
     return std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& other) {
       const SeamRun& run = m_.runs[other.run];
       return run.panel != m_.runs[r_].panel && other.lonely && other.length < run.length &&
-             same_length(other.length, stops_.back()) && !never_sewn(m_, r_, other.run);
+             same_length(other.length, stops_.back());
     });
   }
   bool is_met(double part) const {
     if (part < kCutWeights.least_part_mm) return false;
     return std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& other) {
       return m_.runs[other.run].panel != m_.runs[r_].panel && (other.lonely || !needs_lonely_) &&
-             same_length(other.length, part) && !never_sewn(m_, r_, other.run);
+             same_length(other.length, part);
     });
   }
 

@@ -104,11 +104,11 @@ struct PairWeights {
   double inner = 0.2;           ///< how much a neck faces the body's middle …
   double fully_inner = 0.9;     ///< … and its centre front
   double not_middle = -4;
-  double outer_sides = -10;     ///< the sides of a left and a right front to each other
-  double raglan_neck = -4;      ///< for a part of a neck that goes through raglan sleeves: only all of it fits
-  double armhole = 1.5;         ///< for a sleeve at a hollow edge of a bodice, against it at others
-  double insert_face = 2;       ///< inserts of the front are let into the front
-  double cap = 1.5;             ///< for a sleeve's cap there, against its other edges …
+  double outer_sides = -10;  ///< the sides of a left and a right front to each other
+  double raglan_neck = -4;   ///< for a part of a neck that goes through raglan sleeves: only all of it fits
+  double armhole = 1.5;      ///< for a sleeve at a hollow edge of a bodice, against it at others
+  double insert_face = 2;    ///< inserts of the front are let into the front
+  double cap = 1.5;          ///< for a sleeve's cap there, against its other edges …
   double tailored_ease = 0.08;  ///< of a cap over its armhole, where nothing is gathered
   double cap_to_sleeve = -5;    ///< … and for the cap sewn to a sleeve
   double insert_place = -6;     ///< times the share of the width that it is from where its number says

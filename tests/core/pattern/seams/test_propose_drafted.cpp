@@ -21,6 +21,7 @@ using garments::bodice;
 using garments::length_of;
 using garments::mirrored;
 using garments::piece;
+using garments::scaled;
 using garments::strip;
 using test::WornSeams;
 
@@ -118,7 +119,7 @@ pattern::Panel raglan_body(const std::string& name, double neck, double slope) {
                       {-270, 262, Vec2{-255, 260}, Vec2{-240, 130}}});
 }
 
-TEST(DraftedGarments, ARaglanSleeveTakesTheSlopeAndTheArmholesEnd) {
+void expect_raglan_sewn(double size) {
   const pattern::Panel front = raglan_body("Front", 440, 215), back = raglan_body("Back", 530, 262);
   const double front_length = garments::length_of(front, 2) + garments::length_of(front, 3);
   const double back_length = garments::length_of(back, 2) + garments::length_of(back, 3);
@@ -135,7 +136,8 @@ TEST(DraftedGarments, ARaglanSleeveTakesTheSlopeAndTheArmholesEnd) {
                                                  {front_top.x, front_top.y},
                                                  {back_top.x, back_top.y},
                                                  {left.x, left.y}});
-  const WornSeams worn({front, back, sleeve, mirrored(sleeve, "Sleeve_2")});
+  const pattern::Panel whole = scaled(sleeve, size);
+  const WornSeams worn({scaled(front, size), scaled(back, size), whole, mirrored(whole, "Sleeve_2")});
   EXPECT_TRUE(worn.has({"Front.e1"}, {"Back.e7"}) || worn.has({"Front.e7"}, {"Back.e1"})) << "the sides";
   for (const char* end : {"Front.e2", "Front.e6", "Back.e2", "Back.e6"})
     for (const char* other : {"Front.e2", "Front.e6", "Back.e2", "Back.e6"})
@@ -143,6 +145,11 @@ TEST(DraftedGarments, ARaglanSleeveTakesTheSlopeAndTheArmholesEnd) {
   const std::vector<std::string> of_front{"Front.e2", "Front.e3"}, of_back{"Back.e2", "Back.e3"};
   EXPECT_TRUE(worn.has(of_front, {"Sleeve.e2"}) || worn.has(of_front, {"Sleeve_2.e2"}));
   EXPECT_TRUE(worn.has(of_back, {"Sleeve.e4"}) || worn.has(of_back, {"Sleeve_2.e4"})) << worn.text();
+}
+
+TEST(DraftedGarments, ARaglanSleeveTakesTheSlopeAndTheArmholesEnd) {
+  expect_raglan_sewn(1);
+  expect_raglan_sewn(1.5);  // an armhole's end of 80 mm
 }
 
 TEST(DraftedGarments, AFrontWhoseDartIsDrawnInsideIsEasedIntoTheBacksSide) {

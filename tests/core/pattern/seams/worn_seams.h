@@ -16,6 +16,14 @@ inline pattern::Panel strip(const std::string& name, double length, double heigh
   return piece(name, {{0, 0}, {length, 0}, {length, height}, {0, height}});
 }
 
+/// The panel `by` times as large.
+inline pattern::Panel scaled(pattern::Panel panel, double by) {
+  for (pattern::PanelEdge& edge : panel.outline.edges)
+    for (pattern::CubicBezier& c : edge.curves)
+      for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) *p = *p * by;
+  return panel;
+}
+
 /// A bodice, its own mirror image, from the right end of its hem: the edges from there to the armhole's lower
 /// end and from there to the shoulder's, where `neck` is the shoulder's inner end and the neck's curve.
 /// Edges: hem, side, armhole, shoulder, neck, shoulder, armhole, side.
