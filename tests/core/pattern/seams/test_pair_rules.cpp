@@ -97,6 +97,14 @@ TEST(PairRules, ARaglanSleeveIsEasedOntoTheSlopeAndTheArmholesEndOfAnySize) {
   }
 }
 
+TEST(PairRules, NoSleeveIsSetIntoAHem) {
+  const pattern::Panel sleeve =
+      piece("sleeve", {{-100, 0}, {100, 0}, {190, 400, Vec2{120, 560}, Vec2{-120, 560}}, {-190, 400}});
+  const SeamModel m = model_of({raglan_body("front", 430), sleeve});
+  EXPECT_TRUE(seams::never_sewn(m, run_of(m, 0, 0), run_of(m, 1, 2)));
+  EXPECT_FALSE(seams::never_sewn(m, run_of(m, 0, 3), run_of(m, 1, 2)));
+}
+
 TEST(PairRules, ANeckThatGoesThroughSleevesIsSewnAsAWhole) {
   const SeamModel m = model_of(hooded_raglan());
   ASSERT_TRUE(m.raglan);
