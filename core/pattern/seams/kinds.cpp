@@ -133,11 +133,20 @@ bool has_whole_back(const SeamModel& m) {
 bool is_off_neck(const SeamModel& m, const SeamRun& run) {
   const PieceWords& words = m.words[run.panel];
   const bool hem = m.upright[run.panel] && run.up < -kPairWeights.facing_fully;
-  if (words.yoke && hem) return true;
+  if (words.yoke) return run.line_turn > kPairWeights.neck_deg;  // its neck is hollow
   if (words.kind != PieceKind::kTorso) return false;
   const bool parted_front = words.face >= 0 && m.twin[run.panel] != run.panel;
   return hem || from_side(m, run) < -kPairWeights.off_neck || is_shoulder(m, run) ||
          (!parted_front && begins_at_hem(m, run));
+}
+
+/// Whether the runs are of a back or yoke and of a collar that sits on a stand, which goes around the neck.
+bool passes_stand(const SeamModel& m, const SeamRun& collar, const SeamRun& back) {
+  const PieceWords &upper = m.words[collar.panel], &lower = m.words[back.panel];
+  if (upper.kind != PieceKind::kCollar || upper.stand || upper.layer) return false;
+  return (lower.yoke || (lower.kind == PieceKind::kTorso && lower.face < 0)) &&
+         std::any_of(m.words.begin(), m.words.end(),
+                     [](const PieceWords& w) { return w.kind == PieceKind::kCollar && w.stand && !w.layer; });
 }
 
 bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
@@ -395,7 +404,8 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   if ((is_neck(ka) && kb == PieceKind::kTorso && closed_middle(b)) ||
       (is_neck(kb) && ka == PieceKind::kTorso && closed_middle(a)))
     return kPairWeights.not_middle;
-  if ((is_neck(ka) && is_off_neck(m, b)) || (is_neck(kb) && is_off_neck(m, a)))
+  if ((is_neck(ka) && is_off_neck(m, b)) || (is_neck(kb) && is_off_neck(m, a)) || passes_stand(m, a, b) ||
+      passes_stand(m, b, a))
     return kPairWeights.never_meet;
   const bool upright = m.upright[a.panel] && m.upright[b.panel];
   if (hangs > 0) return kPairWeights.hangs + (upright ? 0 : kPairWeights.hanging_face * x.face * y.face);

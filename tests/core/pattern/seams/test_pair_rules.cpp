@@ -221,6 +221,17 @@ TEST(PairRules, NoPartOfAnArmholeIsSewnToOneOfAnother) {
   EXPECT_LT(best_merit(m, m.runs[front].next, back), -4);
 }
 
+TEST(PairRules, ACollarOnAStandIsNotSewnToTheBack) {
+  const pattern::Panel back =
+      bodice("back", {250, 0, Vec2{215, 160}}, {255, 320, Vec2{215, 330}, Vec2{195, 400}}, {190, 440},
+             {80, 470, Vec2{60, 450}});
+  const SeamModel m = model_of({back, strip("collar stand", 400, 30), strip("collar", 400, 60)});
+  EXPECT_TRUE(seams::never_sewn(m, run_of(m, 0, 4), run_of(m, 2, 0)));
+  EXPECT_FALSE(seams::never_sewn(m, run_of(m, 0, 4), run_of(m, 1, 0)));
+  const SeamModel alone = model_of({back, strip("collar", 400, 60)});
+  EXPECT_FALSE(seams::never_sewn(alone, run_of(alone, 0, 4), run_of(alone, 1, 0)));
+}
+
 TEST(PairRules, CollarsLieOnNoHemAndOnNoSide) {
   const pattern::Panel back =
       bodice("back", {250, 0, Vec2{215, 160}}, {255, 320, Vec2{215, 330}, Vec2{195, 400}}, {190, 440},
@@ -231,6 +242,7 @@ TEST(PairRules, CollarsLieOnNoHemAndOnNoSide) {
   const SeamModel m = model_of({back, yoke, strip("collar stand", 400, 30)});
   const Index collar = run_of(m, 2, 0);
   EXPECT_TRUE(seams::never_sewn(m, collar, run_of(m, 1, 0))) << "the yoke's hem";
+  EXPECT_TRUE(seams::never_sewn(m, collar, run_of(m, 1, 2))) << "its shoulder";
   EXPECT_FALSE(seams::never_sewn(m, collar, run_of(m, 1, 3))) << "its neck";
   EXPECT_TRUE(seams::never_sewn(m, collar, run_of(m, 0, 1))) << "the back's side";
 }
