@@ -48,8 +48,9 @@ class Mirrors {
   std::optional<pattern::Seam> image_of(pattern::Seam seam) const {
     for (Edges* side : {&seam.a, &seam.b}) {
       for (pattern::SeamEdge& e : *side) {
-        const auto r = static_cast<std::size_t>(first_[e.panel] + e.edge);
-        if (r >= model_.runs.size() || model_.runs[r].panel != e.panel) return std::nullopt;
+        const Index r = first_[e.panel] + e.edge;
+        if (r >= static_cast<Index>(model_.runs.size()) || model_.runs[r].panel != e.panel)
+          return std::nullopt;
         const SeamRun& run = model_.runs[r];
         if (run.mirror_panel == kNone || run.mirror_edge == kNone) return std::nullopt;
         if (model_.words[e.panel].layer || model_.words[run.mirror_panel].layer) return std::nullopt;
