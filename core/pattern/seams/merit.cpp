@@ -162,7 +162,7 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   if (stays_open(m, a, b)) merit += kPairWeights.stays_open;
   merit += row_merit(m, a, b);
   if (is_of_vent(m, i, j)) merit += kPairWeights.vent;
-  if (lengths && m.raglan && on_neck(m, a, b)) merit += kPairWeights.raglan_neck;
+  if (lengths && m.raglan && on_neck(m, a, a) != on_neck(m, b, b)) merit += kPairWeights.raglan_neck;
   if (a.panel == b.panel) {
     merit += own_piece_part(m, i, j) + (is_slit(m, a, i, b, j) ? kPairWeights.slit : 0);
   } else {

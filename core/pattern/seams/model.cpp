@@ -233,21 +233,30 @@ void name_hem_bands(SeamModel& m) {
 
 /// `line_turn`: an armhole may be drawn in parts, which go on from one to the next.
 void find_line_turns(SeamModel& m) {
-  const auto bends = [&](const SeamRun& to) { return 180 - to.angle; };  // between two edges, degrees
-  const auto goes_on = [&](const SeamRun& from, const SeamRun& to) {
-    return std::abs(bends(to)) < kGarmentWeights.smooth_deg && !begins_at_hem(m, from) &&
-           !begins_at_hem(m, to);
+  const auto bend = [&](Index to) { return 180 - m.runs[to].angle; };  // where it begins, degrees
+  const auto goes_on = [&](Index from, Index to) {
+    return std::abs(bend(to)) < kGarmentWeights.smooth_deg && !begins_at_hem(m, m.runs[from]) &&
+           !begins_at_hem(m, m.runs[to]);
   };
-  for (SeamRun& run : m.runs) {
-    run.line_turn = run.turn.back();
-    for (const SeamRun* at = &run;
-         goes_on(*at, m.runs[at->next]) && at->next != static_cast<Index>(&run - m.runs.data());
-         at = &m.runs[at->next])
-      run.line_turn += bends(m.runs[at->next]) + m.runs[at->next].turn.back();
-    for (const SeamRun *at = &run, *before = &run_before(m, run); goes_on(*before, *at) && before != &run;
-         at = before, before = &run_before(m, *at))
-      run.line_turn += bends(*at) + before->turn.back();
-  }
+  std::vector<char> follows(m.runs.size(), 0), done(m.runs.size(), 0);
+  for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r)
+    follows[m.runs[r].next] = goes_on(r, m.runs[r].next);
+  const auto add_up = [&](Index first) {
+    std::vector<Index> line{first};
+    double turn = m.runs[first].turn.back();
+    for (Index at = m.runs[first].next; at != first && follows[at]; at = m.runs[at].next) {
+      turn += bend(at) + m.runs[at].turn.back();
+      line.push_back(at);
+    }
+    for (const Index r : line) {
+      m.runs[r].line_turn = turn;
+      done[r] = 1;
+    }
+  };
+  for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r)
+    if (!follows[r]) add_up(r);
+  for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r)
+    if (!done[r]) add_up(r);  // an outline without a corner
 }
 
 /// Without arms a garment with legs has its cuffs there, whether their names say so or not.

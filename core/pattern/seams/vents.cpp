@@ -94,7 +94,7 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
       !m.opens[run.panel])
     merit += kind == PieceKind::kHood ? kPairWeights.twin_face : kPairWeights.twin_straight;
   const bool hollow = run.turn.back() < kPairWeights.twin_hollow_deg;
-  if (hollow && kind == PieceKind::kHood) merit += kPairWeights.twin_face;
+  if (hollow && kind == PieceKind::kHood) merit += kPairWeights.twin_hollow_face;
   if (hollow && kind == PieceKind::kLegs)
     merit += kPairWeights.twin_crotch;
   else if (hollow)

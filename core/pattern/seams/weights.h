@@ -144,7 +144,8 @@ struct PairWeights {
   double twin_round_deg = 45;
   double twin_round_front = -6;     ///< a front's round edge …
   double round_front_rise = 0.85;   ///< … of this rise
-  double twin_face = -2;            ///< a hood's straight or hollow edge is around the face
+  double twin_face = -2;            ///< a hood's straight edge is around the face …
+  double twin_hollow_face = -6;     ///< … and a hollow one all the more
   double collar_long = -6;          ///< pieces of a collar do not meet along an edge …
   double collar_end = 0.28;         ///< … of more than this share of their outline
   double fold_on_stand = 0.004;     ///< … but for a collar on its stand, where lengths differ by less
