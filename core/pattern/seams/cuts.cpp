@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/pattern/seams/kinds.h"
+#include "core/pattern/seams/armholes.h"
+#include "core/pattern/seams/bodice.h"
 #include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/notch_cuts.h"
 #include "core/pattern/seams/shapes.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pattern/seams/kinds.h"
+#include "core/pattern/seams/armholes.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pattern/seams/armholes.h"
+#include "core/pattern/seams/bodice.h"
 #include "core/pattern/seams/cuts.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/shapes.h"
@@ -10,8 +12,6 @@
 
 namespace toile::seams {
 namespace {
-
-bool is_neck(PieceKind kind) { return kind == PieceKind::kCollar || kind == PieceKind::kHood; }
 
 /// Whether the two pieces are as large as each other: gores stand side by side.
 bool gores(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
@@ -33,99 +33,6 @@ bool has_no_sides(const SeamModel& m, const SeamRun& run) { return m.lines[run.p
 /// Whether both are of gores that numbers tell apart.
 bool in_one_row(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return m.rows[a.panel].row != kNone && m.rows[a.panel].row == m.rows[b.panel].row;
-}
-
-/// How much the run faces the middle of the body, -1 to 1, if its piece is a side's front or back, seen from
-/// outside; 0 where that is not known.
-double inwards(const SeamModel& m, const SeamRun& run) {
-  const PieceWords& words = m.words[run.panel];
-  return m.handed * words.side * words.face * faces_right(m, run);
-}
-
-/// Whether the run slopes as shoulders do: straight, and neither level nor steep.
-bool is_shoulder(const SeamModel& m, const SeamRun& run) {
-  const bool slopes = run.up > kPairWeights.facing && run.up < kPairWeights.level_up;
-  return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] &&
-         bend_of(run) < kPairWeights.straight_deg && slopes;
-}
-
-/// Whether the run lies in the upper part of its piece, where a shoulder is.
-bool lies_high(const SeamModel& m, const SeamRun& run) {
-  const Vec2 up = m.up[run.panel];
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const SeamRun& other : m.runs) {
-    if (other.panel != run.panel) continue;
-    low = std::min(low, dot(other.at[0], up));
-    high = std::max(high, dot(other.at[0], up));
-  }
-  const double least = std::min(dot(run.at.front(), up), dot(run.at.back(), up));
-  return least > high - kPairWeights.shoulder_high * (high - low);
-}
-
-/// The direction along which a shoulder of the piece rises, towards the neck: across the grain, to the right
-/// as drawn upright. 0 where none slopes.
-double slopes_to(const SeamModel& m, Index panel) {
-  const Vec2 up = m.up[panel], right{up.y, -up.x};
-  const SeamRun* shoulder = nullptr;
-  for (const SeamRun& run : m.runs) {
-    const double slope = rise(m, run);
-    const bool one = run.panel == panel && run.up > kPairWeights.facing &&
-                     bend_of(run) < kPairWeights.straight_deg && slope > kPairWeights.shoulder_slope &&
-                     lies_high(m, run);
-    if (one && (shoulder == nullptr || run.length > shoulder->length)) shoulder = &run;
-  }
-  if (shoulder == nullptr) return 0;
-  const Vec2 along = shoulder->at.back() - shoulder->at.front();
-  return std::copysign(1, dot(along, up) * dot(along, right));
-}
-
-/// As inwards(), or for a half of a bodice that names no side by where its middle is: there its shoulder
-/// rises, it opens, or it has its longest edge along the grain, from the neck to the hem; a side begins below
-/// the armhole.
-double from_side(const SeamModel& m, const SeamRun& run) {
-  const Index twin = m.twin[run.panel];
-  if (m.words[run.panel].side != 0) return inwards(m, run);
-  if (twin == kNone || twin == run.panel) return 0;
-  if (const double neck = slopes_to(m, run.panel); neck != 0) return neck * faces_right(m, run);
-  const SeamRun* middle = nullptr;
-  for (const SeamRun& other : m.runs) {
-    const bool line = rise(m, other) > kPairWeights.twin_straight_rise &&
-                      std::abs(other.turn.back()) < kPairWeights.curved_deg;
-    if (other.panel != run.panel || (!line && !other.open_front)) continue;
-    if (middle == nullptr || other.open_front || (!middle->open_front && other.length > middle->length))
-      middle = &other;
-  }
-  return middle == nullptr ? 0 : std::copysign(1, faces_right(m, *middle)) * faces_right(m, run);
-}
-
-/// Whether the run ends off the middle of the body, so that it leaves a neck: one of two such edges of a
-/// whole piece, or an edge of a half that does not begin where its middle ends.
-bool leaves_neck(const SeamModel& m, const SeamRun& run) {
-  const auto meets = [&](const SeamRun& other) {
-    return &m.runs[run.next] == &other || &m.runs[other.next] == &run;
-  };
-  const Index twin = m.twin[run.panel];
-  return std::none_of(m.runs.begin(), m.runs.end(),
-                      [&](const SeamRun& other) {
-                        if (other.panel != run.panel || !meets(other)) return false;
-                        if (twin == run.panel) return other.mirror_edge == run.edge;
-                        return rise(m, other) > kPairWeights.middle_rise && from_side(m, other) > 0;
-                      }) &&
-         (twin != run.panel || run.mirror_edge != run.edge) && twin != kNone;
-}
-
-/// Whether a piece of the bodice is for that face of the body.
-bool has_face(const SeamModel& m, int face) {
-  return std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& words) {
-    return words.kind == PieceKind::kTorso && words.face == face;
-  });
-}
-
-/// Whether the back is one piece: the sides of both fronts go to it.
-bool has_whole_back(const SeamModel& m) {
-  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p)
-    if (m.words[p].kind == PieceKind::kTorso && m.words[p].face < 0 && m.twin[p] == p) return true;
-  return false;
 }
 
 /// Whether the run is of a bodice or its yoke and cannot be at its neck: it faces the side, slopes as a
@@ -150,50 +57,6 @@ bool passes_stand(const SeamModel& m, const SeamRun& collar, const SeamRun& back
 }
 
 bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
-
-/// Whether the run is a bodice's edge below a shoulder: sewn front to back it lets no arm out.
-bool is_for_arm(const SeamModel& m, const SeamRun& run) {
-  return m.words[run.panel].kind == PieceKind::kTorso && meets_shoulder(m, run);
-}
-
-/// Whether the runs are of a side that goes up to the shoulder and of the level top of a sleeve without a
-/// cap.
-bool is_dropped(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
-  return !sleeve.cap && m.upright[sleeve.panel] && sleeve.up > kPairWeights.facing &&
-         meets_shoulder(m, torso) && !begins_at_hem(m, torso);
-}
-
-/// A sleeve is sewn with its cap to a hollow edge of a bodice that does not face the middle; a tailored one
-/// is eased into the armhole as a whole, so that no part of it takes a part of another length.
-double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
-  const auto whole = [](const SeamRun& run) { return run.from == 0 && run.to == 1; };
-  const bool differ = whole(torso) && whole(sleeve) && difference(torso, sleeve) > kPairWeights.tailored_ease;
-  if (m.tailored && (!sleeve.cap || differ)) return kPairWeights.never_meet;
-  const bool wrist = m.upright[sleeve.panel] && sleeve.up < -kPairWeights.facing;
-  const bool neck = m.upright[torso.panel] && torso.up > kPairWeights.facing &&
-                    m.twin[torso.panel] == torso.panel && torso.mirror_edge == torso.edge;
-  const bool from_hem = begins_at_hem(m, torso) && torso.from == 0 && torso.to == 1;
-  const bool hem = m.upright[torso.panel] && torso.up < -kPairWeights.facing && !is_below_arm(m, torso);
-  if (wrist || neck || hem || from_hem) return kPairWeights.never_meet;
-  const bool dropped = is_dropped(m, torso, sleeve);
-  if (dropped) return kPairWeights.armhole + kPairWeights.cap;
-  const bool hollow =
-      torso.turn.back() < kPairWeights.twin_hollow_deg && inwards(m, torso) < kPairWeights.inner;
-  return (hollow ? kPairWeights.armhole : -kPairWeights.armhole) +
-         (sleeve.cap ? kPairWeights.cap : -kPairWeights.cap);
-}
-
-/// Whether the run is of a sleeve that stands upright and none of its ends meets the seam under the arm.
-bool is_off_underarm(const SeamModel& m, const SeamRun& sleeve) {
-  const bool meets = (sleeve.from == 0 && begins_at_hem(m, run_before(m, sleeve))) ||
-                     (sleeve.to == 1 && begins_at_hem(m, m.runs[sleeve.next]));
-  return m.words[sleeve.panel].kind == PieceKind::kSleeve && m.upright[sleeve.panel] && !meets;
-}
-
-/// Whether the run is the end of an armhole, which goes under the arm, and the other one cannot lie there.
-bool is_off_armhole_end(const SeamModel& m, const SeamRun& torso, const SeamRun& other) {
-  return is_armhole_end(m, torso) && (is_neck(m.words[other.panel].kind) || is_off_underarm(m, other));
-}
 
 /// Numbers of inserts run to the right, seen from the front, as the places do that they are let into.
 double insert_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
@@ -270,10 +133,9 @@ double strap_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 /// Whether the runs are the upper edge of a band and the hem of a leg that it is far too long for, as
 /// waistbands are.
 bool is_waist_on_leg(const SeamModel& m, const SeamRun& band, const SeamRun& leg) {
-  constexpr double kLonger = 1.5;
   return m.words[band.panel].kind == PieceKind::kBand && m.words[leg.panel].kind == PieceKind::kLegs &&
          band.up > kPairWeights.facing && leg.up < -kPairWeights.facing &&
-         m.girth[band.panel] / 2 > kLonger * leg.length;
+         m.girth[band.panel] / 2 > kPairWeights.waist_longer * leg.length;
 }
 
 /// Whether the runs are a collar's and the upper end of a sleeve that goes up to the neck between front and
@@ -289,12 +151,6 @@ bool is_crotch(const SeamModel& m, const SeamRun& run) {
 
 }  // namespace
 
-bool is_below_arm(const SeamModel& m, const SeamRun& run) {
-  const SeamRun& after = m.runs[run.next];
-  if (after.angle > kPairWeights.turns_in_deg && begins_at_hem(m, after)) return true;
-  return run.angle > kPairWeights.turns_in_deg && begins_at_hem(m, run_before(m, run));
-}
-
 int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (a.panel == b.panel) return 0;
   if (is_cuffed(m, a, b) || is_cuffed(m, b, a)) return 1;
@@ -306,19 +162,6 @@ int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return a.up > 0 ? hangs_from(m, a.panel, b.panel) : hangs_from(m, b.panel, a.panel);
 }
 
-bool is_armhole_end(const SeamModel& m, const SeamRun& run) {
-  const auto is_slope = [&](const SeamRun& other) {
-    return other.up > kPairWeights.armhole_slope && !begins_at_hem(m, other) && other.length > run.length;
-  };
-  const auto is_side = [&](const SeamRun& other) {  // a middle goes up to the neck
-    return begins_at_hem(m, other) && from_side(m, other) <= 0;
-  };
-  const SeamRun &before = run_before(m, run), &after = m.runs[run.next];
-  return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] && !begins_at_hem(m, run) &&
-         run.up > kPairWeights.facing && run.turn.back() < kPairWeights.armhole_end_deg &&
-         ((is_side(before) && is_slope(after)) || (is_side(after) && is_slope(before)));
-}
-
 bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (m.tailored) return false;
   const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
@@ -328,24 +171,6 @@ bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 
 bool on_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return is_neck(m.words[a.panel].kind) || is_neck(m.words[b.panel].kind);
-}
-
-bool meets_shoulder(const SeamModel& m, const SeamRun& run) {
-  const auto is_top = [&](const SeamRun& other) {
-    return other.up > kPairWeights.facing && lies_high(m, other) && leaves_neck(m, other) &&
-           from_side(m, run) <= 0;
-  };
-  return is_top(m.runs[run.next]) || is_top(run_before(m, run));
-}
-
-bool is_set_on_turned(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve, bool along) {
-  if (m.words[torso.panel].kind != PieceKind::kTorso || m.words[sleeve.panel].kind != PieceKind::kSleeve)
-    return false;
-  const bool half = (sleeve.from > 0) != (sleeve.to < 1);
-  if (!half || !is_dropped(m, torso, sleeve)) return false;
-  const bool rises = dot(torso.at.back() - torso.at.front(), m.up[torso.panel]) > 0;
-  const bool shoulder_at_start = rises != along;  // of the sleeve's half
-  return shoulder_at_start == (sleeve.from == 0);
 }
 
 bool are_torsos(const SeamModel& m, Index i, Index j) {

@@ -10,13 +10,6 @@ namespace toile::seams {
 /// it, by their names: +1; −1 where they say the contrary; else 0.
 int told_to_hang(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 
-/// Whether the run may be below the arm of a sleeve that is cut on: it faces down and meets a side in a
-/// corner that turns in.
-bool is_below_arm(const SeamModel& model, const SeamRun& run);
-
-/// Whether the run is the hollow end of an armhole, from a raglan sleeve's slope down to the side.
-bool is_armhole_end(const SeamModel& m, const SeamRun& run);
-
 /// Whether a sleeve is sewn to a bodice, which is no longer than it: caps are often gathered, but for those
 /// of tailored sleeves, which are eased.
 bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b);
@@ -24,13 +17,6 @@ bool is_cap(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 /// Whether one of the runs is of a collar or a hood: the neck's length is theirs, and nothing is gathered
 /// there.
 bool on_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b);
-
-/// Whether the run faces the side and meets an edge that faces up and leaves a neck: that is a shoulder.
-bool meets_shoulder(const SeamModel& m, const SeamRun& run);
-
-/// Whether half the level top of a sleeve would be set on upside down, its seam at the shoulder and its
-/// middle under the arm; `along`: sewn along the outlines' direction.
-bool is_set_on_turned(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve, bool along);
 
 /// Whether both runs are of a bodice.
 bool are_torsos(const SeamModel& m, Index i, Index j);

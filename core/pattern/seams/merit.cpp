@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pattern/seams/armholes.h"
 #include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/kinds.h"
 #include "core/pattern/seams/shapes.h"

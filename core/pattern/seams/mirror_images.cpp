@@ -32,25 +32,18 @@ bool is_one(const pattern::Seam& x, const pattern::Seam& y) {
   return (holds_same(x.a, y.a) && holds_same(x.b, y.b)) || (holds_same(x.a, y.b) && holds_same(x.b, y.a));
 }
 
-/// The edges of the model's pattern by panel, and the one that mirrors each.
+/// The seams of a pattern seen in a mirror.
 class Mirrors {
  public:
-  explicit Mirrors(const SeamModel& model) : model_(model) {
-    Index panel = kNone;
-    for (Index r = 0; r < static_cast<Index>(model.runs.size()); ++r) {
-      if (model.runs[r].panel == panel) continue;
-      panel = model.runs[r].panel;
-      first_.resize(panel + 1, r);
-    }
-  }
+  Mirrors(const pattern::Pattern& pattern, const SeamModel& model)
+      : model_(model), first_(first_runs(pattern)) {}
 
   /// Nothing where one of its edges has no image, as those of holes, or lies on other cloth.
   std::optional<pattern::Seam> image_of(pattern::Seam seam) const {
     for (Edges* side : {&seam.a, &seam.b}) {
       for (pattern::SeamEdge& e : *side) {
         const Index r = first_[e.panel] + e.edge;
-        if (r >= static_cast<Index>(model_.runs.size()) || model_.runs[r].panel != e.panel)
-          return std::nullopt;
+        if (r >= first_[e.panel + 1]) return std::nullopt;
         const SeamRun& run = model_.runs[r];
         if (run.mirror_panel == kNone || run.mirror_edge == kNone) return std::nullopt;
         if (model_.words[e.panel].layer || model_.words[run.mirror_panel].layer) return std::nullopt;
@@ -63,7 +56,7 @@ class Mirrors {
 
  private:
   const SeamModel& model_;
-  std::vector<Index> first_;  ///< run of each panel
+  const std::vector<Index> first_;
 };
 
 }  // namespace
@@ -71,7 +64,7 @@ class Mirrors {
 std::vector<SeamProposal> with_mirror_images(const pattern::Pattern& pattern,
                                              std::vector<SeamProposal> proposals) {
   const SeamModel model = make_seam_model(pattern);
-  const Mirrors mirrors(model);
+  const Mirrors mirrors(pattern, model);
   const std::vector<bool> sewn = sewn_together(proposals, kLikely);
   TakenEdges taken;
   for (const pattern::Seam& seam : pattern.seams) taken.take(seam);

@@ -270,6 +270,13 @@ void name_leg_cuffs(SeamModel& m) {
 
 }  // namespace
 
+std::vector<Index> first_runs(const pattern::Pattern& pattern) {
+  std::vector<Index> first{0};
+  for (const pattern::Panel& panel : pattern.panels)
+    first.push_back(first.back() + static_cast<Index>(panel.outline.edges.size()));
+  return first;
+}
+
 double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& after) {
   const double a = pattern::arc_length(before), b = pattern::arc_length(after);
   const Vec2 in = before.curves.back().p3 - pattern::point_at_length(before, a - end_reach(a));

@@ -71,6 +71,10 @@ struct SeamModel {
   std::vector<double> girth;  ///< mm, length of each outline
 };
 
+/// The first run of each panel, and after the last one's: runs of uncut outlines are counted panel after
+/// panel.
+std::vector<Index> first_runs(const pattern::Pattern& pattern);
+
 /// The run that ends where `run` begins; `run` is one of the model's.
 const SeamRun& run_before(const SeamModel& m, const SeamRun& run);
 

@@ -95,6 +95,8 @@ bool tells_band(const std::vector<std::string>& words, const std::string& edge) 
 
 }  // namespace
 
+bool is_neck(PieceKind kind) { return kind == PieceKind::kCollar || kind == PieceKind::kHood; }
+
 int hangs_from(PieceKind lower, PieceKind upper) {
   using enum PieceKind;
   const auto hangs_anywhere = [](PieceKind k) { return k == kOther || k == kInsert || k == kStrap; };

@@ -36,6 +36,9 @@ struct PieceWords {
   bool layer = false;     ///< a lining, a facing, a pocket: cloth that lies on other cloth
 };
 
+/// Whether pieces of that kind go around the neck.
+bool is_neck(PieceKind kind);
+
 /// Whether a piece of kind `lower` is sewn to hang from the lower end of one of kind `upper`, as a skirt from
 /// a bodice: +1. −1: the two are never sewn so, or not at all. 0: the kinds do not tell.
 int hangs_from(PieceKind lower, PieceKind upper);

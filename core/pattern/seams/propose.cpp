@@ -23,14 +23,6 @@
 namespace toile::seams {
 namespace {
 
-/// Runs of uncut outlines are counted panel after panel.
-std::vector<Index> first_runs(const pattern::Pattern& pattern) {
-  std::vector<Index> first{0};
-  for (const pattern::Panel& panel : pattern.panels)
-    first.push_back(first.back() + static_cast<Index>(panel.outline.edges.size()));
-  return first;
-}
-
 void sort_sewn(const pattern::Pattern& pattern, std::vector<std::array<Index, 2>>& sewn,
                std::vector<Index>& blocked) {
   const std::vector<Index> first = first_runs(pattern);

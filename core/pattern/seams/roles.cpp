@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/pattern/seams/armholes.h"
 #include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
@@ -174,10 +175,8 @@ bool is_raglan_top(const SeamModel& m, const SeamRun& run) {
 
 void find_raglan_sleeves(SeamModel& m) {
   m.raglan = std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-    const auto is_slope = [&](const SeamRun& other) {
-      return other.length > run.length && other.up > kPairWeights.armhole_slope && !begins_at_hem(m, other);
-    };
-    return is_raglan_top(m, run) && is_slope(run_before(m, run)) && is_slope(m.runs[run.next]);
+    return is_raglan_top(m, run) && is_raglan_slope(m, run_before(m, run), run) &&
+           is_raglan_slope(m, m.runs[run.next], run);
   });
 }
 

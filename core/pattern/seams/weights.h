@@ -119,6 +119,7 @@ struct PairWeights {
   double strap_end = 0.2;       ///< of the outline, an end of a strap at most
   double two_corners = -4;      ///< … are of openings: two edges at such are not sewn to each other
   double never_meet = -8;       ///< kinds of pieces that are not sewn to each other …
+  double waist_longer = 1.5;    ///< times a leg's hem, that a band is too long for it
   double only_hangs = -8;       ///< … or only where one hangs from the other
 
   // Names.
