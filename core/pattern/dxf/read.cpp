@@ -41,13 +41,12 @@ struct Attempt {
 };
 
 /// Width or height of all that stands in a place, drawing units: a guess where nothing closes.
-double extent_of(const DxfPlace& place) {
+Vec2 size_of(const DxfPlace& place) {
   std::vector<Vec2> points;
   for (const DxfPart& part : place.parts)
     for (const DxfCurve& c : part.block->curves)
       for (const DxfVertex& v : c.vertices) points.push_back(part.transform(v.at));
-  const Vec2 size = bounding_box(points).size();
-  return std::max(size.x, size.y);
+  return bounding_box(points).size();
 }
 
 /// Tells of what no place has used.
@@ -180,16 +179,14 @@ Result<Attempt> read_all(const Drawing& drawing, const DxfReading& reading) {
   return attempt;
 }
 
-/// Width or height of each piece, whichever is larger, in drawing units; of each place where nothing closes.
-std::vector<double> extents_of(const Attempt& attempt, const DxfLayout& layout, double mm_per_unit) {
-  std::vector<double> extents;
-  for (const DxfFound& found : attempt.pieces) {
-    const Vec2 size = bounding_box(found.piece.outline).size();
-    extents.push_back(std::max(size.x, size.y) / mm_per_unit);
-  }
-  if (extents.empty())
-    for (const DxfPlace& place : layout.places) extents.push_back(extent_of(place));
-  return extents;
+/// Width and height of each piece, in drawing units; of each place where nothing closes.
+std::vector<Vec2> sizes_of(const Attempt& attempt, const DxfLayout& layout, double mm_per_unit) {
+  std::vector<Vec2> sizes;
+  for (const DxfFound& found : attempt.pieces)
+    sizes.push_back(bounding_box(found.piece.outline).size() * (1 / mm_per_unit));
+  if (sizes.empty())
+    for (const DxfPlace& place : layout.places) sizes.push_back(size_of(place));
+  return sizes;
 }
 
 struct InUnit {
@@ -204,10 +201,10 @@ Result<InUnit> read_in_its_unit(const Drawing& drawing, const DxfSettings& setti
       settings.mm_per_unit ? given_unit(*settings.mm_per_unit) : decide_unit(drawing.file, texts, {});
   const bool sew_layer = has_sew_layer(drawing.file, settings.layers);
   Attempt attempt = TRY(read_all(drawing, {settings, first.mm, sew_layer}));
-  const std::vector<double> extents = extents_of(attempt, drawing.layout, first.mm);
-  DxfUnit unit = decide_unit(drawing.file, texts, extents);
+  const std::vector<Vec2> sizes = sizes_of(attempt, drawing.layout, first.mm);
+  DxfUnit unit = decide_unit(drawing.file, texts, sizes);
   if (settings.mm_per_unit) {
-    first.doubt = doubt_of_given(first, unit, extents);
+    first.doubt = doubt_of_given(first, unit, sizes);
     if (first.doubt) attempt.log.warn(0, doubt_text(first));
     return InUnit{std::move(first), std::move(attempt)};
   }

@@ -36,7 +36,9 @@ struct UnitWeights {
   double smallest = 300, largest = 2500;       ///< mm, of the largest piece of a garment …
   double decade_below = 5, decade_above = 12;  ///< … against each decade beyond; nobody wears 20 m, but a
                                                ///< collar may stand alone
-  double typical = 700;                        ///< mm
+  double narrowest = 150;  ///< mm, of the widest piece of three or more: bands are long, but something goes
+                           ///< over the body; against each decade below as above
+  double typical = 700;    ///< mm
   double off_typical = 0.25;                   ///< times the squared logarithm of the size over it, …
   double off_most = 2;  ///< … which counts up to this: a gentle preference within what is possible
 };
@@ -110,21 +112,35 @@ Evidence text_evidence(const DxfUnitText& text) {
   return e;
 }
 
-double largest_of(const std::vector<double>& extents) {
+double largest_of(const std::vector<Vec2>& sizes) {
   double largest = 0;
-  for (const double e : extents) largest = std::max(largest, e);
+  for (const Vec2& size : sizes) largest = std::max({largest, size.x, size.y});
   return largest;
 }
 
+/// How wide the widest of the pieces is, across its longer side; 0 where they are too few to make a garment.
+double widest_of(const std::vector<Vec2>& sizes) {
+  constexpr std::size_t kGarment = 3;
+  if (sizes.size() < kGarment) return 0;
+  double widest = 0;
+  for (const Vec2& size : sizes) widest = std::max(widest, std::min(size.x, size.y));
+  return widest;
+}
+
+double likelihood_of_width(double mm) {
+  if (mm <= 0 || mm > kWeights.narrowest) return 0;
+  return -kWeights.decade_below * std::log10(kWeights.narrowest / mm);
+}
+
 /// Nothing when no piece has a size.
-std::optional<Evidence> size_evidence(const std::vector<double>& extents) {
-  const double largest = largest_of(extents);
+std::optional<Evidence> size_evidence(const std::vector<Vec2>& sizes) {
+  const double largest = largest_of(sizes), widest = widest_of(sizes);
   if (!(largest > 0)) return std::nullopt;
   Evidence e;
   std::string as;
   for (std::size_t i = 0; i < kCandidates.size(); ++i) {
     const Candidate& c = kCandidates[i];
-    e.scores.emplace_back(c.name, likelihood_of_size(largest * c.mm));
+    e.scores.emplace_back(c.name, likelihood_of_size(largest * c.mm) + likelihood_of_width(widest * c.mm));
     if (i < 3) as += (i == 0 ? "" : ", ") + length_words(largest * c.mm) + " as " + c.name;
   }
   e.words = "the largest piece measures " + figure(largest) + " units: " + as;
@@ -152,10 +168,10 @@ DxfUnit likeliest(const std::vector<Evidence>& all) {
 }  // namespace
 
 DxfUnit decide_unit(const DxfFile& file, const std::vector<DxfUnitText>& texts,
-                    const std::vector<double>& extents) {
+                    const std::vector<Vec2>& sizes) {
   std::vector<Evidence> all = header_evidence(file);
   for (const DxfUnitText& text : texts) all.push_back(text_evidence(text));
-  if (std::optional<Evidence> sizes = size_evidence(extents)) all.push_back(*std::move(sizes));
+  if (std::optional<Evidence> size = size_evidence(sizes)) all.push_back(*std::move(size));
   return likeliest(all);
 }
 
@@ -166,9 +182,9 @@ DxfUnit given_unit(double mm_per_unit) {
 }
 
 std::optional<DxfUnitDoubt> doubt_of_given(const DxfUnit& given, const DxfUnit& own,
-                                           const std::vector<double>& extents) {
+                                           const std::vector<Vec2>& sizes) {
   constexpr double kShortest = 30, kLongest = 5000;  // mm, of a garment's largest piece
-  const double largest = largest_of(extents), mm = largest * given.mm;
+  const double largest = largest_of(sizes), mm = largest * given.mm;
   if (own.mm == given.mm || largest == 0 || (mm > kShortest && mm < kLongest)) return {};
   return DxfUnitDoubt{own.name, mm, largest * own.mm};
 }

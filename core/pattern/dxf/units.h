@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/types.h"
 #include "core/pattern/dxf/entities.h"
 #include "core/pattern/dxf/read.h"
 
@@ -16,15 +17,15 @@ struct DxfUnitText {
   int line = 0;
 };
 
-/// The unit that agrees best with the header, the texts and the sizes of the pieces. `extents`: width or
-/// height of each piece, whichever is larger, in drawing units.
+/// The unit that agrees best with the header, the texts and the sizes of the pieces. `sizes`: width and
+/// height of each piece, in drawing units.
 ///
 /// Each unit starts with a small preference and gathers evidence as logarithms of likelihood: what $INSUNITS
 /// states counts e¹⁰, "METRIC" makes millimetres and centimetres likely, "ENGLISH" inches, $MEASUREMENT a
-/// little, and a largest piece far off 0.3 to 2.5 m makes a unit unlikely. The confidence is the winner's
-/// share.
+/// little, and a largest piece far off 0.3 to 2.5 m, or a garment with no piece 15 cm wide, makes a unit
+/// unlikely. The confidence is the winner's share.
 DxfUnit decide_unit(const DxfFile& file, const std::vector<DxfUnitText>& texts,
-                    const std::vector<double>& extents);
+                    const std::vector<Vec2>& sizes);
 
 /// The unit that the settings ask for.
 DxfUnit given_unit(double mm_per_unit);
@@ -32,7 +33,7 @@ DxfUnit given_unit(double mm_per_unit);
 /// Why a unit that was asked for is hardly meant: nobody wears pieces of that size, and the drawing's own
 /// unit (decide_unit) makes garments of them. Nothing where that cannot be said.
 std::optional<DxfUnitDoubt> doubt_of_given(const DxfUnit& given, const DxfUnit& own,
-                                           const std::vector<double>& extents);
+                                           const std::vector<Vec2>& sizes);
 
 /// The doubt in a sentence. REQUIRES that there is one.
 std::string doubt_text(const DxfUnit& given);

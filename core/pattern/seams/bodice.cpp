@@ -35,6 +35,18 @@ bool is_shoulder(const SeamModel& m, const SeamRun& run) {
          bend_of(run) < kPairWeights.straight_deg && slopes;
 }
 
+bool is_neckline(const SeamModel& m, const SeamRun& run) {
+  const PieceWords& words = m.words[run.panel];
+  if (words.kind != PieceKind::kTorso || words.face == 0 || !m.upright[run.panel]) return false;
+  if (run.turn.back() > kPairWeights.neck_deg || run.from > 0 || run.to < 1) return false;
+  const SeamRun &before = run_before(m, run), &after = m.runs[run.next];
+  const auto is_centre = [&](const SeamRun& other) {
+    return rise(m, other) > kPairWeights.twin_straight_rise && from_side(m, other) > 0;
+  };
+  const bool first = is_shoulder(m, before), last = is_shoulder(m, after);
+  return (first && last) || (first && is_centre(after)) || (last && is_centre(before));
+}
+
 double slopes_to(const SeamModel& m, Index panel) {
   const Vec2 up = m.up[panel], right{up.y, -up.x};
   const SeamRun* shoulder = nullptr;

@@ -144,6 +144,27 @@ bool is_raglan_neck(const SeamModel& m, const SeamRun& collar, const SeamRun& sl
   return is_neck(m.words[collar.panel].kind) && is_raglan_top(m, sleeve);
 }
 
+/// Whether the pieces are of one kind, one in the middle of a face of the body and the other not of that face
+/// or its flank, although that has flanks of its own: princess seams and gores go to the nearest.
+bool passes_flank(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  if (x.kind != y.kind || x.layer || y.layer || x.face * y.face >= 0) return false;
+  const auto has_flank = [&](int face) {
+    return std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) {
+      return w.flank && w.face == face && w.kind == x.kind && !w.layer;
+    });
+  };
+  if (!has_flank(x.face) || !has_flank(y.face)) return false;
+  if (x.flank != y.flank) return true;
+  return !x.flank && begins_at_hem(m, a) && begins_at_hem(m, b);
+}
+
+/// Whether the runs are a bodice's hem and a bodice's neck.
+bool is_hem_on_neck(const SeamModel& m, const SeamRun& run, const SeamRun& neck) {
+  return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] &&
+         run.up < -kPairWeights.armhole_slope && is_neckline(m, neck);
+}
+
 /// Whether the run may be a brief's crotch: short, between the openings for the legs.
 bool is_crotch(const SeamModel& m, const SeamRun& run) {
   return run.length < kPairWeights.crotch * m.girth[run.panel] && lies_between_hollows(m, run);
@@ -217,6 +238,8 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   if (left_and_right && (x.flank || (x.limb && y.limb))) return kPairWeights.both_sleeves;
   if ((is_neck(ka) && y.flank) || (is_neck(kb) && x.flank))
     return kPairWeights.never_meet;  // it is under the arm
+  if (passes_flank(m, a, b) || is_hem_on_neck(m, a, b) || is_hem_on_neck(m, b, a))
+    return kPairWeights.never_meet;
   if (ka == PieceKind::kInsert || kb == PieceKind::kInsert)
     return kPairWeights.insert_face * x.face * y.face + insert_merit(m, a, b);
   if (ka == PieceKind::kSleeve && kb == PieceKind::kSleeve)

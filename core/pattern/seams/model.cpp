@@ -345,6 +345,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   find_line_turns(model);
   find_twins(model);
   name_legs(model);
+  name_skirts(model);
   name_leg_cuffs(model);
   find_between(model);
   find_hands(model);

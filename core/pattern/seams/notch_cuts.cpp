@@ -106,7 +106,7 @@ class NotchedRun {
     if (part < kCutWeights.least_part_mm) return false;
     return std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& other) {
       return m_.runs[other.run].panel != m_.runs[r_].panel && (other.lonely || !needs_lonely_) &&
-             same_length(other.length, part);
+             same_length(other.length, part) && !never_sewn(m_, r_, other.run);
     });
   }
 

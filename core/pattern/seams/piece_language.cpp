@@ -67,7 +67,21 @@ struct Term {
 };
 
 constexpr Term kTerms[] = {
+    // As drafting programs shorten English
+    {"pkt", "pocket"},
+    {"wbnd", "waistband"},
+    {"wband", "waistband"},
+    {"clr", "collar"},
+    {"fcg", "facing"},
+    {"sf", "side front"},
+    {"sb", "side back"},
     // German
+    {"vt", "front"},
+    {"ht", "back"},
+    {"rt mitte", "back"},  // alone it is English, and right
+    {"rt seite", "back side"},
+    {"vh", "front pants"},
+    {"hh", "back pants"},
     {"vorne", "front"},
     {"vorn", "front"},
     {"hinten", "back"},

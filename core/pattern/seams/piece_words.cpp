@@ -48,7 +48,8 @@ PieceKind kind_of(const std::vector<std::string>& words) {
       {"insert", PieceKind::kInsert},  {"gore", PieceKind::kSkirt},      {"godet", PieceKind::kInsert},
       {"gusset", PieceKind::kInsert},  {"bib", PieceKind::kTorso},       {"strap", PieceKind::kStrap},
       {"straps", PieceKind::kStrap},   {"tie", PieceKind::kStrap},       {"ties", PieceKind::kStrap},
-      {"belt", PieceKind::kStrap},     {"cord", PieceKind::kStrap},      {"drawstring", PieceKind::kStrap}};
+      {"belt", PieceKind::kStrap},     {"cord", PieceKind::kStrap},      {"drawstring", PieceKind::kStrap},
+      {"tier", PieceKind::kSkirt},     {"peplum", PieceKind::kSkirt}};
   const auto has = [&](const char* word) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };

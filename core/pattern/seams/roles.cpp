@@ -108,6 +108,22 @@ void name_legs(SeamModel& m) {
   }
 }
 
+void name_skirts(SeamModel& m) {
+  const auto any = [&](auto is) { return std::any_of(m.words.begin(), m.words.end(), is); };
+  using enum PieceKind;
+  const auto is_cloth = [](const PieceWords& w) { return w.kind == kOther && !w.layer && !w.limb; };
+  if (any([&](const PieceWords& w) { return !w.layer && w.kind != kOther && w.kind != kBand; })) return;
+  if (!any([](const PieceWords& w) { return w.kind == kBand && !w.hem_band; })) return;
+  if (any([&](const PieceWords& w) { return is_cloth(w) && w.face == 0; })) return;
+  if (std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) { return is_leg_crotch(m, run); }))
+    return;
+  for (PieceWords& w : m.words)
+    if (is_cloth(w)) {
+      w.kind = kSkirt;
+      w.guessed = true;
+    }
+}
+
 void find_banded_fronts(SeamModel& m) {
   constexpr double kSame = 0.035, kStrip = 0.35;  // of the length; of the outline
   double neck = 0;                                // of the back, mm

@@ -12,6 +12,10 @@ namespace toile::seams {
 /// hem. REQUIRES twins.
 void name_legs(SeamModel& m);
 
+/// `words`: fronts, backs and sides of a garment that names no kind but a waistband are a skirt where none of
+/// them has a crotch. REQUIRES twins, and the names of legs.
+void name_skirts(SeamModel& m);
+
 /// `cap`, `tailored`, and `upright` of sleeves: their edges that bulge most, and their mirror images. A
 /// sleeve whose cap is above stands, also where no grain line says so; then the others do, too.
 void find_caps(SeamModel& m);
