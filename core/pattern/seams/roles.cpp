@@ -29,6 +29,25 @@ void find_upper_cap(SeamModel& m, Index panel) {
   m.upright[panel] = 1;
 }
 
+/// Stands the piece on its other end.
+void turn_upside_down(SeamModel& m, Index panel) {
+  m.up[panel] = -m.up[panel];
+  for (SeamRun& run : m.runs)
+    if (run.panel == panel) run.up = -run.up;
+}
+
+/// Sleeves whose only cap faces down stand on their heads: a grain line has no upper end, least of all where
+/// the piece lies.
+void stand_on_wrists(SeamModel& m, double above) {
+  std::vector<int> caps(m.words.size(), 0), below(m.words.size(), 0);
+  for (const SeamRun& run : m.runs) {
+    caps[run.panel] += run.cap;
+    below[run.panel] += run.cap && run.up < -above;
+  }
+  for (Index p = 0; p < static_cast<Index>(caps.size()); ++p)
+    if (caps[p] == 1 && below[p] == 1) turn_upside_down(m, p);
+}
+
 /// Whether the piece has another edge of the run's length that faces up as well: the sides of a wide skirt
 /// do.
 bool is_side(const SeamModel& m, Index r) {
@@ -158,8 +177,10 @@ void find_caps(SeamModel& m) {
   for (SeamRun& run : m.runs) {
     run.cap = m.words[run.panel].kind == PieceKind::kSleeve && run.turn.back() >= 0.8 * most[run.panel] &&
               run.turn.back() >= kBulge;
-    if (run.cap && run.up > kAbove) m.upright[run.panel] = 1;
   }
+  stand_on_wrists(m, kAbove);
+  for (const SeamRun& run : m.runs)
+    if (run.cap && run.up > kAbove) m.upright[run.panel] = 1;
   std::vector<char> above(m.words.size(), 0);
   for (const SeamRun& run : m.runs) above[run.panel] = above[run.panel] || (run.cap && run.up > kAbove);
   if (std::none_of(above.begin(), above.end(), [](char any) { return any != 0; })) return;
