@@ -59,7 +59,7 @@ Vec2 along_crotch(const std::vector<Vec2>& points, const std::vector<Vec2>& legs
 
 Vec2 upper_end(const GarmentGraph& graph, const std::vector<Index>& partner, Index p) {
   const auto piece = [&](Index q) -> const GarmentPiece& { return graph.pieces[q]; };
-  Vec2 up{0, 1e-3};
+  const Vec2 up = piece(p).grain * 1e-3;
   std::vector<Vec2> crotch, legs;  // from the middle: legs hang together at their upper ends
   std::size_t count = 0;
   Vec2 sum;

@@ -39,8 +39,8 @@ struct UnitWeights {
   double narrowest = 150;  ///< mm, of the widest piece of three or more: bands are long, but something goes
                            ///< over the body; against each decade below as above
   double typical = 700;    ///< mm
-  double off_typical = 0.25;                   ///< times the squared logarithm of the size over it, …
-  double off_most = 2;  ///< … which counts up to this: a gentle preference within what is possible
+  double off_typical = 0.25;  ///< times the squared logarithm of the size over it, …
+  double off_most = 2;        ///< … which counts up to this: a gentle preference within what is possible
 };
 constexpr UnitWeights kWeights;
 

@@ -22,7 +22,8 @@ double slopes_to(const SeamModel& m, Index panel);
 /// Whether the run slopes as shoulders do: straight, and neither level nor steep.
 bool is_shoulder(const SeamModel& m, const SeamRun& run);
 
-/// Whether the run is the hollow neck of a front or back: between its shoulders, or a shoulder and the middle.
+/// Whether the run is the hollow neck of a front or back: between its shoulders, or a shoulder and the
+/// middle.
 bool is_neckline(const SeamModel& m, const SeamRun& run);
 
 /// Whether the run ends off the middle of the body, so that it leaves a neck: one of two such edges of a

@@ -173,27 +173,6 @@ void find_between(SeamModel& m) {
   }
 }
 
-/// Whether the piece has a shoulder by its shape: a straight edge between two hollow ones, armhole and neck;
-/// or two straight ones that face up, with a hollow or pointed neck between them, as where sleeves are cut
-/// on. A hollow edge that begins at the hem is a side, and what is beside it a waist.
-bool has_shoulder(const SeamModel& m, Index panel) {
-  const auto slopes = [](const SeamRun& run) {
-    return bend_of(run) < kPairWeights.straight_deg && run.up > kPairWeights.level_shoulder_up;
-  };
-  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-    if (run.panel != panel) return false;
-    const bool beside_side = begins_at_hem(m, m.runs[run.next]) || begins_at_hem(m, run_before(m, run));
-    if (bend_of(run) < kPairWeights.straight_deg && lies_between_hollows(m, run) && !beside_side) return true;
-    const SeamRun& neck = m.runs[run.next];
-    const SeamRun& after = m.runs[neck.next];
-    const bool pointed = equally_long(neck.length, after.length) && after.angle > kPairWeights.pointed_deg;
-    const SeamRun& other = pointed ? m.runs[after.next] : after;
-    const bool hollow = pointed || neck.turn.back() < kPairWeights.neck_deg;
-    return &other != &run && slopes(run) && slopes(other) && equally_long(run.length, other.length) &&
-           hollow && neck.up > (pointed ? 0 : kPairWeights.facing);
-  });
-}
-
 /// What is only called front, back or side is of the trunk where it has shoulders; or where sleeves, collars,
 /// hoods or others with shoulders say that it is a top, and nothing else says what covers the trunk.
 void name_trunk(SeamModel& m) {
@@ -282,6 +261,24 @@ double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& 
   const Vec2 in = before.curves.back().p3 - pattern::point_at_length(before, a - end_reach(a));
   const Vec2 out = pattern::point_at_length(after, end_reach(b)) - after.curves.front().p0;
   return 180 - degrees_between(in, out);
+}
+
+bool has_shoulder(const SeamModel& m, Index panel) {
+  const auto slopes = [](const SeamRun& run) {
+    return bend_of(run) < kPairWeights.straight_deg && run.up > kPairWeights.level_shoulder_up;
+  };
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+    if (run.panel != panel) return false;
+    const bool beside_side = begins_at_hem(m, m.runs[run.next]) || begins_at_hem(m, run_before(m, run));
+    if (bend_of(run) < kPairWeights.straight_deg && lies_between_hollows(m, run) && !beside_side) return true;
+    const SeamRun& neck = m.runs[run.next];
+    const SeamRun& after = m.runs[neck.next];
+    const bool pointed = equally_long(neck.length, after.length) && after.angle > kPairWeights.pointed_deg;
+    const SeamRun& other = pointed ? m.runs[after.next] : after;
+    const bool hollow = pointed || neck.turn.back() < kPairWeights.neck_deg;
+    return &other != &run && slopes(run) && slopes(other) && equally_long(run.length, other.length) &&
+           hollow && neck.up > (pointed ? 0 : kPairWeights.facing);
+  });
 }
 
 bool is_lapel(const SeamModel& m, Index p) {

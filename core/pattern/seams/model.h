@@ -95,6 +95,11 @@ bool lies_between_hollows(const SeamModel& model, const SeamRun& run);
 /// How much the cloth's outside at the run faces right of the grain, -1 to 1.
 double faces_right(const SeamModel& model, const SeamRun& run);
 
+/// Whether the piece has a shoulder by its shape: a straight edge between two hollow ones, armhole and neck;
+/// or two straight ones that face up, with a hollow or pointed neck between them, as where sleeves are cut
+/// on. A hollow edge that begins at the hem is a side, and what is beside it a waist.
+bool has_shoulder(const SeamModel& model, Index panel);
+
 /// Whether the piece is a lapel: a collar's front that runs out in a point.
 bool is_lapel(const SeamModel& model, Index panel);
 

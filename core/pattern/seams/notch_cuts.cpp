@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/pattern/seams/bodice.h"
 #include "core/pattern/seams/gluing.h"
+#include "core/pattern/seams/kinds.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -106,8 +108,13 @@ class NotchedRun {
     if (part < kCutWeights.least_part_mm) return false;
     return std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& other) {
       return m_.runs[other.run].panel != m_.runs[r_].panel && (other.lonely || !needs_lonely_) &&
-             same_length(other.length, part) && !never_sewn(m_, r_, other.run);
+             same_length(other.length, part) && !is_neck_by_chance(other);
     });
+  }
+
+  /// Whether both are of the bodice, and the other is a neck, which goes to collars.
+  bool is_neck_by_chance(const RunPart& other) const {
+    return are_torsos(m_, r_, other.run) && is_neckline(m_, m_.runs[other.run]);
   }
 
   const SeamModel& m_;

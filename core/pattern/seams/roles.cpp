@@ -105,6 +105,11 @@ double front_edge(const SeamModel& m, const SeamRun& middle) {
 
 }  // namespace
 
+bool has_leg_crotch(const SeamModel& m, Index panel) {
+  return std::any_of(m.runs.begin(), m.runs.end(),
+                     [&](const SeamRun& run) { return run.panel == panel && is_leg_crotch(m, run); });
+}
+
 void name_legs(SeamModel& m) {
   const bool other_kinds = std::any_of(m.words.begin(), m.words.end(), [](const PieceWords& w) {
     return w.kind != PieceKind::kOther && w.kind != PieceKind::kBand && w.kind != PieceKind::kStrap;
@@ -134,8 +139,8 @@ void name_skirts(SeamModel& m) {
   if (any([&](const PieceWords& w) { return !w.layer && w.kind != kOther && w.kind != kBand; })) return;
   if (!any([](const PieceWords& w) { return w.kind == kBand && !w.hem_band; })) return;
   if (any([&](const PieceWords& w) { return is_cloth(w) && w.face == 0; })) return;
-  if (std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) { return is_leg_crotch(m, run); }))
-    return;
+  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p)
+    if (has_leg_crotch(m, p)) return;
   for (PieceWords& w : m.words)
     if (is_cloth(w)) {
       w.kind = kSkirt;

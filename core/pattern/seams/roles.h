@@ -7,9 +7,12 @@
 
 namespace toile::seams {
 
+/// Whether the piece has a hollow edge between an inner leg and the waist, with a side that goes from there
+/// to the hem.
+bool has_leg_crotch(const SeamModel& m, Index panel);
+
 /// `words`: fronts and backs in halves, of a garment that names no kind but a waistband, are legs where they
-/// have a crotch: a hollow edge between an inner leg and the waist, with a side that goes from there to the
-/// hem. REQUIRES twins.
+/// have a crotch. REQUIRES twins.
 void name_legs(SeamModel& m);
 
 /// `words`: fronts, backs and sides of a garment that names no kind but a waistband are a skirt where none of

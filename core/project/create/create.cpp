@@ -13,6 +13,7 @@
 #include "core/pattern/seams/accept.h"
 #include "core/pattern/seams/check.h"
 #include "core/pattern/seams/piece_words.h"
+#include "core/pattern/seams/upper_ends.h"
 #include "core/pattern/validate.h"
 #include "core/project/create/choose_fabrics.h"
 #include "core/project/create/choose_mesh.h"
@@ -162,6 +163,8 @@ Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
     cut.panels.push_back(std::move(*panel));
   }
   if (first && cut.panels.empty()) return *first;
+  const std::vector<Vec2> up = seams::grains_upwards(cut.panels);
+  for (std::size_t p = 0; p < up.size(); ++p) cut.panels[p].grain = up[p];
   return cut;
 }
 

@@ -1,0 +1,161 @@
+#include "core/pattern/seams/upper_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/piece_words.h"
+#include "core/pattern/seams/roles.h"
+#include "core/pattern/seams/weights.h"
+
+namespace toile::seams {
+namespace {
+
+// Of what opens upwards, degrees: of 46 random designs of GarmentCode no bodice or leg has less than -8, most
+// have 30 to 200; of skirts, which may be hollow at their hems.
+constexpr double kTells = 12, kDown = 30, kSurely = 50, kSkirtTells = 25;
+constexpr double kWider = 1.25;  // times: skirts may narrow a little downwards
+constexpr double kDart = 300;    // degrees of cloth from which on a corner is a dart's tip
+
+struct Span {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+
+  void take(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  /// −1 at the low end, 1 at the high one.
+  double place(double x) const { return high > low ? (2 * x - low - high) / (high - low) : 0; }
+};
+
+std::vector<Index> runs_of(const SeamModel& m, Index panel) {
+  std::vector<Index> runs;
+  for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r)
+    if (m.runs[r].panel == panel) runs.push_back(r);
+  return runs;
+}
+
+Span along_grain(const SeamModel& m, const std::vector<Index>& runs, Vec2 grain) {
+  Span span;
+  for (const Index r : runs)
+    for (const Vec2 at : m.runs[r].at) span.take(dot(at, grain));
+  return span;
+}
+
+/// Whether the corner at the run's start is a dart's tip: between edges of one length.
+bool is_dart(const SeamModel& m, const SeamRun& run) {
+  constexpr double kLegs = 0.05;
+  const double before = run_before(m, run).length;
+  return std::abs(before - run.length) < kLegs * run.length;
+}
+
+/// How far what is hollow opens along the grain, and what bulges does so against it, degrees: a bit of a
+/// curve counts by how much its outside faces that way.
+struct Opening {
+  double hollow = 0, bulge = 0;
+};
+
+Opening opening_of(const SeamModel& m, const std::vector<Index>& runs, Vec2 grain) {
+  Opening opening;
+  const auto take = [&](double turn, Vec2 along) {  // degrees; the outline's direction there
+    const double faces = dot(normalized(-perpendicular(along)), grain);
+    if (turn < 0)
+      opening.hollow -= turn * faces;
+    else
+      opening.bulge -= turn * faces;
+  };
+  for (const Index r : runs) {
+    const SeamRun& run = m.runs[r];
+    for (std::size_t k = 1; k < run.turn.size(); ++k)
+      take(run.turn[k] - run.turn[k - 1], run.at[k + 1] - run.at[k - 1]);
+    const SeamRun& before = run_before(m, run);
+    const Vec2 in = normalized(before.at.back() - before.at[SeamRun::kSamples - 2]);
+    const Vec2 out = normalized(run.at[1] - run.at[0]);
+    if (run.angle > 180 && run.angle < kDart && !is_dart(m, run)) take(180 - run.angle, in + out);
+  }
+  return opening;
+}
+
+/// How much wider the end at the grain's tail is than the one at its head: times.
+double widening(const SeamModel& m, const std::vector<Index>& runs, Vec2 grain) {
+  constexpr double kEnd = 0.5;  // of the height's half
+  const Span span = along_grain(m, runs, grain);
+  Span head, tail;
+  for (const Index r : runs) {
+    const SeamRun& run = m.runs[r];
+    for (const Vec2 at : {run.at.front(), run.at.back()}) {
+      const double place = span.place(dot(at, grain));
+      if (std::abs(place) > kEnd) (place > 0 ? head : tail).take(cross(grain, at));
+    }
+  }
+  return head.high > head.low && tail.high > tail.low ? (tail.high - tail.low) / (head.high - head.low) : 1;
+}
+
+/// Whether a piece is a brief's: with a short end in its middle that two leg openings leave.
+bool has_forks(const SeamModel& m) {
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+    return run.mirror_panel == run.panel && run.mirror_edge == run.edge &&
+           run.length < kPairWeights.crotch * m.girth[run.panel] && lies_between_hollows(m, run);
+  });
+}
+
+/// A shoulder or the crotch of a leg, which are known only where the piece stands as it is worn.
+bool has_upright_part(const SeamModel& m, Index panel) {
+  return has_shoulder(m, panel) || has_leg_crotch(m, panel);
+}
+
+/// +1 where the grain points upwards, −1 where it points down, 0 where the shape does not tell. `turned`: the
+/// model of all pieces on their heads.
+int told_by_shape(const SeamModel& m, const SeamModel& turned, Index panel, Vec2 grain) {
+  using enum PieceKind;
+  const PieceWords& words = m.words[panel];
+  const bool trunk = words.kind == kTorso || words.kind == kLegs || words.kind == kSkirt ||
+                     (words.kind == kOther && (words.face != 0 || words.flank));
+  if ((!trunk && words.kind != kHood) || words.layer || words.yoke || words.limb) return 0;
+  const std::vector<Index> runs = runs_of(m, panel);
+  const Opening opening = opening_of(m, runs, grain);
+  const auto sense = [](double up, double least) { return up > least ? 1 : up < -least ? -1 : 0; };
+  if (words.kind == kHood) return sense(-opening.bulge, kTells);  // its back and top are round
+  if (words.kind != kSkirt) {
+    const int part = has_upright_part(m, panel) - has_upright_part(turned, panel);
+    if (part > 0 || opening.hollow > kTells) return part < 0 ? 0 : 1;
+    if (words.kind != kTorso && has_forks(m)) return 0;  // what is hollow may be for the legs
+    return (part < 0 && opening.hollow < -kDown) || (words.kind == kTorso && opening.hollow < -kSurely) ? -1
+                                                                                                        : 0;
+  }
+  const int open = sense(opening.hollow + opening.bulge, kSkirtTells);
+  const int wider = sense(std::log(widening(m, runs, grain)), std::log(kWider));
+  return open * wider < 0 ? 0 : open + wider;
+}
+
+}  // namespace
+
+std::vector<Vec2> grains_upwards(const std::vector<pattern::Panel>& panels) {
+  constexpr double kAlike = 0.9;  // cosine
+  pattern::Pattern pattern;
+  pattern.panels = panels;
+  const SeamModel m = make_seam_model(pattern);
+  for (pattern::Panel& panel : pattern.panels) panel.grain = -panel.grain;
+  const SeamModel turned = make_seam_model(pattern);
+  std::vector<Vec2> grains;
+  std::vector<int> told;
+  for (Index p = 0; p < static_cast<Index>(panels.size()); ++p) {
+    grains.push_back(normalized(panels[p].grain));
+    told.push_back(told_by_shape(m, turned, p, grains.back()));
+  }
+  std::vector<Vec2> up = grains;
+  for (std::size_t p = 0; p < grains.size(); ++p) {
+    int sense = told[p];
+    bool agree = true;
+    for (std::size_t q = 0; q < grains.size() && told[p] == 0; ++q) {
+      if (told[q] == 0 || dot(grains[p], grains[q]) < kAlike) continue;
+      agree = agree && sense * told[q] >= 0;
+      sense = told[q];
+    }
+    if (agree && sense < 0) up[p] = -grains[p];
+  }
+  return up;
+}
+
+}  // namespace toile::seams
