@@ -100,11 +100,6 @@ bool has_forks(const SeamModel& m) {
   });
 }
 
-/// A shoulder or the crotch of a leg, which are known only where the piece stands as it is worn.
-bool has_upright_part(const SeamModel& m, Index panel) {
-  return has_shoulder(m, panel) || has_leg_crotch(m, panel);
-}
-
 /// +1 where the grain points upwards, −1 where it points down, 0 where the shape does not tell. `turned`: the
 /// model of all pieces on their heads.
 int told_by_shape(const SeamModel& m, const SeamModel& turned, Index panel, Vec2 grain) {
@@ -118,11 +113,14 @@ int told_by_shape(const SeamModel& m, const SeamModel& turned, Index panel, Vec2
   const auto sense = [](double up, double least) { return up > least ? 1 : up < -least ? -1 : 0; };
   if (words.kind == kHood) return sense(-opening.bulge, kTells);  // its back and top are round
   if (words.kind != kSkirt) {
-    const int part = has_upright_part(m, panel) - has_upright_part(turned, panel);
+    // These are known only where the piece stands as it is worn.
+    const int crotch = has_leg_crotch(m, panel) - has_leg_crotch(turned, panel);
+    const int part = crotch != 0 ? crotch : has_shoulder(m, panel) - has_shoulder(turned, panel);
+    if ((words.kind != kTorso || words.guessed) && has_forks(m))
+      return 0;  // what is hollow may be for the legs
     if (part > 0 || opening.hollow > kTells) return part < 0 ? 0 : 1;
-    if (words.kind != kTorso && has_forks(m)) return 0;  // what is hollow may be for the legs
-    return (part < 0 && opening.hollow < -kDown) || (words.kind == kTorso && opening.hollow < -kSurely) ? -1
-                                                                                                        : 0;
+    const bool down = part < 0 && opening.hollow < -(crotch < 0 ? kTells : kDown);
+    return down || (words.kind == kTorso && opening.hollow < -kSurely) ? -1 : 0;
   }
   const int open = sense(opening.hollow + opening.bulge, kSkirtTells);
   const int wider = sense(std::log(widening(m, runs, grain)), std::log(kWider));
@@ -149,9 +147,11 @@ std::vector<Vec2> grains_upwards(const std::vector<pattern::Panel>& panels) {
     int sense = told[p];
     bool agree = true;
     for (std::size_t q = 0; q < grains.size() && told[p] == 0; ++q) {
-      if (told[q] == 0 || dot(grains[p], grains[q]) < kAlike) continue;
-      agree = agree && sense * told[q] >= 0;
-      sense = told[q];
+      const double along = dot(grains[p], grains[q]);
+      if (told[q] == 0 || std::abs(along) < kAlike) continue;
+      const int there = along > 0 ? told[q] : -told[q];
+      agree = agree && sense * there >= 0;
+      sense = there;
     }
     if (agree && sense < 0) up[p] = -grains[p];
   }

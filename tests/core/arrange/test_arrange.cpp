@@ -207,6 +207,30 @@ TEST(Arrange, TrunksStandUprightByTheirInnerSeams) {
   for (Index p = 0; p < 4; ++p) EXPECT_GT(waist_over_hem(s, p, 0.279, 0.001), 0.15) << p;
 }
 
+/// No seam leads up or down: the grain tells.
+TEST(Arrange, ATopThatIsLaidOutAlongTheClothStandsUpright) {
+  pattern::Pattern top = test::dress();
+  top.panels.resize(2);
+  top.seams.resize(4);
+  for (pattern::Panel& panel : top.panels) {
+    for (pattern::PanelEdge& edge : panel.outline.edges)
+      for (pattern::CubicBezier& c : edge.curves)
+        for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) *p = perpendicular(*p);
+    panel.grain = perpendicular(panel.grain);
+  }
+  const Start s = started(top);
+  const sewing::GarmentMesh& g = s.assembly.garment;
+  for (Index p = 0; p < 2; ++p) {
+    double shoulders = HUGE_VAL, hem = -HUGE_VAL;
+    for (Index v = g.first_vertex[p]; v < g.first_vertex[p + 1]; ++v) {
+      const double along = dot(g.rest[v], top.panels[p].grain), y = s.assembly.positions[v].y;
+      if (along > 0.38) shoulders = std::min(shoulders, y);
+      if (along < 0.001) hem = std::max(hem, y);
+    }
+    EXPECT_GT(shoulders, hem + 0.2) << p;
+  }
+}
+
 /// m, middle of the piece's lowest 6 cm: hems slant.
 Vec3 hem_of(const Start& s, Index piece) {
   const sewing::GarmentMesh& g = s.assembly.garment;

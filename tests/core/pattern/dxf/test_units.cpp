@@ -42,6 +42,17 @@ TEST(DxfUnits, MetricIsMillimetresOrCentimetresByTheSizeOfThePieces) {
   expect_unit(drawing(75, "units:Metric"), "cm", 0.6);
 }
 
+/// A band alone would do for millimetres; but nothing of it goes over a body.
+TEST(DxfUnits, ARobeInCentimetresIsKnownByItsWidestPieceNotByItsBand) {
+  const auto robe = [](double wide) {
+    std::string pieces;
+    for (const double x : {0.0, 100.0}) pieces += rectangle({x, 0}, wide, 100);
+    return entities(pieces + rectangle({200, 0}, 10, 221) + text({0, 0}, "Units: METRIC", "1"));
+  };
+  expect_unit(robe(60), "cm", 0.6);
+  expect_unit(entities(rectangle({200, 0}, 10, 221) + text({0, 0}, "Units: METRIC", "1")), "mm", 0.5);
+}
+
 TEST(DxfUnits, EnglishIsInches) {
   expect_unit(drawing(24, "Units: ENGLISH"), "inch", 0.95);
   expect_unit(drawing(118, "UNITS: ENGLISH"), "inch", 0.8);  // a box of three metres

@@ -289,5 +289,86 @@ TEST(MirrorImages, AreNotToldOfWhatIsTakenOrInDoubt) {
   EXPECT_NEAR(surer[1].confidence, 0.95 * 0.9, 1e-9);
 }
 
+/// A skirt of six gores that only its waistband tells to be one: middles, then sides, front and back, then
+/// the band. Edges: hem, side, waist, side.
+std::vector<pattern::Panel> six_gores() {
+  std::vector<pattern::Panel> panels;
+  for (const std::string face : {"front", "back"}) {
+    panels.push_back(piece("center_" + face, {{0, 0}, {260, 0}, {200, 640}, {60, 640}}));
+    panels.push_back(piece("side_" + face, {{0, 0}, {260, 0}, {190, 640}, {66, 640}}));
+    panels.push_back(mirrored(panels.back(), "side_" + face + "_mirrored"));
+  }
+  panels.push_back(strip("waistband", 770, 60));
+  return panels;
+}
+
+TEST(PairRules, GoresGoToTheNearestOfTheirFace) {
+  const SeamModel m = model_of(six_gores());
+  for (Index p = 0; p < 6; ++p) EXPECT_EQ(m.words[p].kind, PieceKind::kSkirt) << p;
+  EXPECT_TRUE(seams::never_sewn(m, run_of(m, 0, 1), run_of(m, 3, 3))) << "middle of the front to the back's";
+  EXPECT_TRUE(seams::never_sewn(m, run_of(m, 0, 1), run_of(m, 4, 3))) << "to the side of the back";
+  EXPECT_TRUE(seams::never_sewn(m, run_of(m, 1, 1), run_of(m, 3, 3)));
+  EXPECT_FALSE(seams::never_sewn(m, run_of(m, 0, 1), run_of(m, 1, 3)));
+  EXPECT_FALSE(seams::never_sewn(m, run_of(m, 1, 1), run_of(m, 4, 3))) << "sides to sides";
+}
+
+TEST(PairRules, PiecesUnderAWaistbandThatHaveACrotchAreNoSkirt) {
+  std::vector<pattern::Panel> panels = six_gores();
+  panels[2] = piece("side_front_x", {{0, 0}, {220, 0}, {250, 720, Vec2{195, 745}}, {185, 980}, {20, 990}});
+  const SeamModel m = model_of(panels);
+  EXPECT_EQ(m.words[0].kind, PieceKind::kOther);
+}
+
+/// Halves of a waistcoat whose fronts end in points. Edges of the front: hem, side, armhole, shoulder, neck,
+/// middle, point; of the back: hem, side, armhole, shoulder, neck, middle. `notch`: mm above the hems.
+std::vector<pattern::Panel> waistcoat(double notch) {
+  pattern::Panel front = piece("front", {{70, 0},
+                                         {280, 60},
+                                         {290, 350, Vec2{220, 360}, Vec2{225, 430}},
+                                         {230, 560},
+                                         {100, 620, Vec2{80, 480}},
+                                         {0, 380},
+                                         {0, 55}});
+  pattern::Panel back = piece("back", {{10, 60},
+                                       {285, 60},
+                                       {295, 350, Vec2{225, 360}, Vec2{225, 430}},
+                                       {230, 560},
+                                       {90, 620, Vec2{70, 595}},
+                                       {0, 595}});
+  const auto mark = [&](pattern::Panel& panel, double x) { panel.notches = {{{x, 60 + notch}, 0, {}}}; };
+  mark(front, 280 + notch * 10 / 290);
+  mark(back, 285 + notch * 10 / 290);
+  return {front, mirrored(front, "front_mirrored"), back, mirrored(back, "back_mirrored")};
+}
+
+TEST(PairRules, NoHemIsSewnToANeck) {
+  const SeamModel m = model_of(waistcoat(100));
+  EXPECT_NEAR(m.runs[run_of(m, 0, 6)].length, m.runs[run_of(m, 2, 4)].length, 8) << "they are like by chance";
+  EXPECT_TRUE(seams::never_sewn(m, run_of(m, 0, 6), run_of(m, 2, 4)));
+  EXPECT_TRUE(seams::never_sewn(m, run_of(m, 0, 6), run_of(m, 3, 2)));
+  EXPECT_FALSE(seams::never_sewn(m, run_of(m, 0, 1), run_of(m, 2, 1)));
+}
+
+TEST(PairRules, ASideIsNotPartedByANotchThatIsAsFarUpAsANeckIsLong) {
+  const std::vector<pattern::Panel> plain = waistcoat(100);
+  const double neck = length_of(plain[2], 4);
+  const SeamModel m = model_of(waistcoat(neck));
+  const Index side = run_of(m, 0, 1);
+  ASSERT_EQ(m.runs[side].notches.size(), 1u);
+  EXPECT_NEAR(m.runs[side].notches[0], neck, 0.5);
+  EXPECT_TRUE(seams::notch_cuts(m)[side].empty());
+}
+
+TEST(PairRules, ASleeveWhoseGrainLineRunsDownStandsOnItsWristAllTheSame) {
+  pattern::Panel sleeve =
+      piece("sleeve", {{-100, 0}, {100, 0}, {190, 400, Vec2{120, 560}, Vec2{-120, 560}}, {-190, 400}});
+  for (const double sense : {1.0, -1.0}) {
+    sleeve.grain = {0, sense};
+    const SeamModel m = model_of({raglan_body("front", 430), sleeve});
+    EXPECT_GT(m.runs[run_of(m, 1, 2)].up, 0.9) << sense;
+    EXPECT_GT(m.up[1].y, 0.9) << sense;
+  }
+}
+
 }  // namespace
 }  // namespace toile

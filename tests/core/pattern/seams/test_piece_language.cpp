@@ -61,6 +61,18 @@ TEST(PieceLanguage, WhatIsToldInOtherWordsIsUnderstood) {
   EXPECT_EQ(seams::words_of("nogawka").kind, PieceKind::kLegs);
 }
 
+TEST(PieceLanguage, WhatDraftingProgramsShortenIsUnderstood) {
+  EXPECT_TRUE(seams::words_of("KANGAROO PKT").layer);
+  EXPECT_EQ(seams::words_of("WBND").kind, PieceKind::kBand);
+  EXPECT_EQ(seams::words_of("VT Mitte").face, 1);
+  EXPECT_EQ(seams::words_of("RT Mitte").face, -1);
+  EXPECT_EQ(seams::words_of("RT Mitte").side, 0);
+  EXPECT_TRUE(seams::words_of("RT Seite").flank);
+  EXPECT_EQ(seams::words_of("SLV RT").side, 1) << "right, in English";
+  EXPECT_EQ(seams::words_of("HH").kind, PieceKind::kLegs);
+  EXPECT_EQ(seams::words_of("TIER 2").kind, PieceKind::kSkirt);
+}
+
 TEST(PieceLanguage, BytesThatAreNoTextDoNoHarm) {
   EXPECT_EQ(words_of_piece("\xc3"), Words{});
   EXPECT_EQ(words_of_piece("\xff\xc5sleeve\xc3\x28"), (Words{"sleeve"}));
