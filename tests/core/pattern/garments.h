@@ -48,6 +48,7 @@ inline pattern::Panel mirrored(const pattern::Panel& panel, const std::string& i
   for (pattern::PanelEdge& edge : other.outline.edges)
     for (pattern::CubicBezier& c : edge.curves)
       for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) p->x = -p->x;
+  for (pattern::Notch& notch : other.notches) notch.at.x = -notch.at.x;
   other.outline = pattern::reversed(other.outline);
   return other;
 }

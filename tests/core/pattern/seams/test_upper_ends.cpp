@@ -91,8 +91,11 @@ TEST(UpperEnds, WhatTellsNothingGoesWithThoseDrawnAlikeIfTheyAgree) {
   const Panels top{torso("front", 520), torso("back", 600), garments::strip("pocket", 120, 150)};
   expect_up(top, 2, -1, "all head first");
   Panels mixed = laid(top, 0, -1);
-  mixed[1] = laid(top, 2, 1)[1];
+  mixed[0] = laid(top, 2, 1)[0];
   EXPECT_EQ(seams::grains_upwards(mixed)[2], mixed[2].grain) << "front and back disagree";
+  Panels against = laid(top, 0, -1);
+  against[2].grain = {0, 1};
+  EXPECT_EQ(seams::grains_upwards(against)[2], (Vec2{0, 1})) << "it is drawn up, and so are they";
   Panels across = laid(top, 0, -1);
   across[2].grain = {1, 0};
   EXPECT_EQ(seams::grains_upwards(across)[2], (Vec2{1, 0})) << "none is drawn alike";
