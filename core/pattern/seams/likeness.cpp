@@ -19,13 +19,6 @@ bool mirrors(const SeamModel& m, Index i, Index j) {
   return true;
 }
 
-std::vector<Index> runs_of(const SeamModel& m, Index panel) {
-  std::vector<Index> runs;
-  for (Index i = 0; i < static_cast<Index>(m.runs.size()); ++i)
-    if (m.runs[i].panel == panel) runs.push_back(i);
-  return runs;
-}
-
 /// The run of q that each run of p mirrors to, or nothing when q is not p turned over. Of several ways (a
 /// rectangle has two) the one that keeps up what is up.
 std::vector<Index> mirror_image(const SeamModel& m, Index p, Index q) {
@@ -134,6 +127,13 @@ void find_same(SeamModel& m, Index p, Index q) {
 }
 
 }  // namespace
+
+std::vector<Index> runs_of(const SeamModel& m, Index panel) {
+  std::vector<Index> runs;
+  for (Index i = 0; i < static_cast<Index>(m.runs.size()); ++i)
+    if (m.runs[i].panel == panel) runs.push_back(i);
+  return runs;
+}
 
 bool equally_long(double a, double b) { return std::abs(a - b) <= 0.5 + 0.005 * std::max(a, b); }
 

@@ -9,6 +9,9 @@ namespace toile::seams {
 /// Whether two lengths (mm) are one but for the rounding of a drawing.
 bool equally_long(double a, double b);
 
+/// The panel's runs.
+std::vector<Index> runs_of(const SeamModel& m, Index panel);
+
 /// Whether the piece turned over across its length is the piece itself, but for a button stand. REQUIRES the
 /// model's runs and `up`.
 bool mirrors_itself(const SeamModel& m, Index panel);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/model.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/seams/roles.h"
@@ -18,7 +19,7 @@ constexpr double kTells = 12, kDown = 30, kSurely = 50, kSkirtTells = 25;
 constexpr double kWider = 1.25;  // times: skirts may narrow a little downwards
 constexpr double kDart = 300;    // degrees of cloth from which on a corner is a dart's tip
 
-struct Span {
+struct HeightSpan {
   double low = HUGE_VAL, high = -HUGE_VAL;
 
   void take(double x) {
@@ -29,15 +30,8 @@ struct Span {
   double place(double x) const { return high > low ? (2 * x - low - high) / (high - low) : 0; }
 };
 
-std::vector<Index> runs_of(const SeamModel& m, Index panel) {
-  std::vector<Index> runs;
-  for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r)
-    if (m.runs[r].panel == panel) runs.push_back(r);
-  return runs;
-}
-
-Span along_grain(const SeamModel& m, const std::vector<Index>& runs, Vec2 grain) {
-  Span span;
+HeightSpan along_grain(const SeamModel& m, const std::vector<Index>& runs, Vec2 grain) {
+  HeightSpan span;
   for (const Index r : runs)
     for (const Vec2 at : m.runs[r].at) span.take(dot(at, grain));
   return span;
@@ -80,8 +74,8 @@ Opening opening_of(const SeamModel& m, const std::vector<Index>& runs, Vec2 grai
 /// How much wider the end at the grain's tail is than the one at its head: times.
 double widening(const SeamModel& m, const std::vector<Index>& runs, Vec2 grain) {
   constexpr double kEnd = 0.5;  // of the height's half
-  const Span span = along_grain(m, runs, grain);
-  Span head, tail;
+  const HeightSpan span = along_grain(m, runs, grain);
+  HeightSpan head, tail;
   for (const Index r : runs) {
     const SeamRun& run = m.runs[r];
     for (const Vec2 at : {run.at.front(), run.at.back()}) {

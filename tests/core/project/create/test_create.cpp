@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "core/pattern/curve.h"
 #include "core/pattern/dxf/write.h"
@@ -150,6 +151,21 @@ TEST(ProjectNew, OfTwoOfAKindOneIsTurnedOver) {
       EXPECT_NEAR(top, piece.from ? 260 : -260, 1e-6) << words;
     }
     EXPECT_EQ(turned, mirrored) << words;
+  }
+}
+
+/// A grain line in a file has two ends; the document's points up.
+TEST(ProjectNew, PiecesLaidOutHeadFirstHaveTheirGrainTurnedUp) {
+  std::vector<pattern::Panel> panels = garments::trousers().panels;
+  for (const bool head_first : {false, true}) {
+    const auto made = create::new_project(drawing_of(panels), settings());
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    ASSERT_EQ(made->project.pieces.size(), panels.size());
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+      EXPECT_NEAR(made->pattern.panels[p].grain.y, head_first ? -1 : 1, 1e-6) << made->pattern.panels[p].id;
+      EXPECT_EQ(made->project.pieces[p].grain.has_value(), head_first);
+    }
+    for (pattern::Panel& panel : panels) panel = garments::turned(panel, std::numbers::pi);
   }
 }
 
