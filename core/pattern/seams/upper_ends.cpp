@@ -105,6 +105,7 @@ int told_by_shape(const SeamModel& m, const SeamModel& turned, Index panel, Vec2
   const std::vector<Index> runs = runs_of(m, panel);
   const Opening opening = opening_of(m, runs, grain);
   const auto sense = [](double up, double least) { return up > least ? 1 : up < -least ? -1 : 0; };
+  const int wider = sense(std::log(widening(m, runs, grain)), std::log(kWider));
   if (words.kind == kHood) return sense(-opening.bulge, kTells);  // its back and top are round
   if (words.kind != kSkirt) {
     // These are known only where the piece stands as it is worn.
@@ -114,10 +115,10 @@ int told_by_shape(const SeamModel& m, const SeamModel& turned, Index panel, Vec2
       return 0;  // what is hollow may be for the legs
     if (part > 0 || opening.hollow > kTells) return part < 0 ? 0 : 1;
     const bool down = part < 0 && opening.hollow < -(crotch < 0 ? kTells : kDown);
-    return down || (words.kind == kTorso && opening.hollow < -kSurely) ? -1 : 0;
+    if (down || (words.kind == kTorso && opening.hollow < -kSurely)) return -1;
+    return words.kind == kTorso && part == 0 && opening.hollow > -kTells ? wider : 0;
   }
   const int open = sense(opening.hollow + opening.bulge, kSkirtTells);
-  const int wider = sense(std::log(widening(m, runs, grain)), std::log(kWider));
   return open * wider < 0 ? 0 : open + wider;
 }
 
