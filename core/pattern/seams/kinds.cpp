@@ -144,8 +144,8 @@ bool is_raglan_neck(const SeamModel& m, const SeamRun& collar, const SeamRun& sl
   return is_neck(m.words[collar.panel].kind) && is_raglan_top(m, sleeve);
 }
 
-/// Whether the pieces are of one kind, one in the middle of a face of the body and the other not of that face
-/// or its flank, although that has flanks of its own: princess seams and gores go to the nearest.
+/// Whether a front's middle would be sewn to a back's flank or side, or the other way round, although both
+/// have flanks of their own to go to: princess seams and gores keep to their face of the body.
 bool passes_flank(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
   if (x.kind != y.kind || x.layer || y.layer || x.face * y.face >= 0) return false;
