@@ -111,7 +111,7 @@ Garment draft_circle_dress(const Wearer& w, const CircleDressStyle& s) {
   g.girths = {{"bust", w.bust, 2 * (b.front.bust + b.back.bust)},
               {"waist", w.waist, front_waist + 2 * back_waist}};
   g.particle_distance_mm = 20;
-  g.max_time_s = 12;
+  g.max_time_s = 20;
   lay_out(g);
   return g;
 }
