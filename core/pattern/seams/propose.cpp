@@ -10,6 +10,7 @@
 
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/own_mirror.h"
 #include "core/pattern/seams/accept.h"
 #include "core/pattern/seams/confidence.h"
 #include "core/pattern/seams/lines.h"
@@ -222,6 +223,21 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
   return proposals;
 }
 
+/// ProposalSettings::clockwise without what tells nothing: a band looks the same from both sides, and is sewn
+/// with its right side out, as most of the other pieces are.
+std::vector<char> telling_windings(const pattern::Pattern& pattern, std::vector<char> clockwise) {
+  std::vector<std::size_t> alike;
+  int most = 0;
+  for (std::size_t p = 0; p < clockwise.size(); ++p) {
+    if (pattern::is_own_mirror(pattern.panels[p].outline))
+      alike.push_back(p);
+    else
+      most += clockwise[p] ? 1 : -1;
+  }
+  for (const std::size_t p : alike) clockwise[p] = most > 0;
+  return clockwise;
+}
+
 std::vector<SeamProposal> proposals_of(const pattern::Pattern& pattern, const std::vector<Index>& pieces,
                                        const ProposalSettings& settings, const RunContext& context) {
   ProposalSettings sorted = settings;
@@ -260,8 +276,10 @@ bool runs_clockwise(std::span<const Vec2> outline) { return geometry::signed_are
 
 std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern, const ProposalSettings& settings,
                                         const RunContext& context) {
+  ProposalSettings telling = settings;
+  telling.clockwise = telling_windings(pattern, settings.clockwise);
   std::vector<SeamProposal> proposals =
-      with_mirror_images(pattern, proposals_by_layers(pattern, settings, context));
+      with_mirror_images(pattern, proposals_by_layers(pattern, telling, context));
   std::set<std::string> ids;
   for (const pattern::Seam& seam : pattern.seams) ids.insert(seam.id);
   int number = 0;

@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/garmentcode/read.h"
+#include "core/pattern/own_mirror.h"
 #include "core/pattern/seams/accept.h"
 #include "core/pattern/seams/check.h"
 #include "core/pattern/seams/piece_words.h"
@@ -75,26 +76,6 @@ pattern::Panel turned_over(const pattern::Panel& panel, std::string id) {
   return other;
 }
 
-/// Whether the outline is its own mirror image: its corners and edges come in the same order both ways
-/// around.
-bool is_own_mirror(const pattern::Loop& loop) {
-  constexpr double kSame = 0.5;  // mm
-  const std::size_t n = loop.edges.size();
-  const auto corner = [&](std::size_t k) { return loop.edges[k % n].curves.front().p0; };
-  const auto differ = [&](std::size_t k, std::size_t other) {
-    const auto far = [](double a, double b) { return std::abs(a - b) > kSame; };
-    return far(pattern::arc_length(loop.edges[k]), pattern::arc_length(loop.edges[other])) ||
-           far(length(corner(k + 1) - corner(k)), length(corner(other + 1) - corner(other))) ||
-           far(length(corner(k + 2) - corner(k)), length(corner(other + 1) - corner(other + n - 1)));
-  };
-  for (std::size_t shift = 0; shift < n; ++shift) {
-    bool same = true;
-    for (std::size_t k = 0; k < n && same; ++k) same = !differ(k, (shift + n - k) % n);
-    if (same) return true;
-  }
-  return false;
-}
-
 std::string unused_id(const std::string& wanted, std::set<std::string>& used) {
   std::string id = wanted;
   for (int n = 2; !used.insert(id).second; ++n) id = wanted + "_" + std::to_string(n);
@@ -107,7 +88,7 @@ void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int
                     const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
                     std::set<std::string>& used, NewProject& made, std::vector<char>& clockwise) {
   // More than a pair of a piece that is its own image are gores, which stand in a row.
-  const bool row = count > 2 && is_own_mirror(panel.outline);
+  const bool row = count > 2 && pattern::is_own_mirror(panel.outline);
   for (int k = 0; k < count; ++k) {
     const bool over = !row && k >= count - mirrored;
     pattern::Panel copy = over ? turned_over(panel, "") : panel;

@@ -58,6 +58,23 @@ TEST(PlainGarments, HalvesWithACrotchAreLegsWithoutBeingNamedSo) {
   EXPECT_TRUE(worn.takes("Front.e3")) << "the waist, at the band";
 }
 
+/// Whether a piece is sewn to another so that the one shows its right side where the other shows its wrong
+/// one.
+bool any_shows_its_wrong_side(const std::vector<seams::SeamProposal>& proposals) {
+  return std::any_of(proposals.begin(), proposals.end(), [](const seams::SeamProposal& p) {
+    const bool alike = p.seam.a[0].reversed == p.seam.b[0].reversed;
+    return p.confidence >= 0.8 && alike == p.seam.same_direction;
+  });
+}
+
+TEST(PlainGarments, ABandShowsItsRightSideWhicheverWayItsOutlineIsDrawn) {
+  const pattern::Panel front = half_leg("Front", 50, 0), back = half_leg("Back", 110, 5);
+  const pattern::Pattern pattern{
+      {front, mirrored(front, "Front_2"), back, mirrored(back, "Back_2"), strip("Waistband", 740, 40)}, {}};
+  EXPECT_FALSE(any_shows_its_wrong_side(seams::propose_seams(pattern, {false, {0, 0, 0, 0, 1}})));
+  EXPECT_FALSE(any_shows_its_wrong_side(seams::propose_seams(pattern, {false, {1, 1, 1, 1, 0}})));
+}
+
 /// Edges: hem, side, raglan line, neck, raglan line, side.
 pattern::Panel raglan_body(const std::string& name, double neck, double top) {
   return piece(name, {{-260, 0},
