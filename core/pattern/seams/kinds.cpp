@@ -225,12 +225,54 @@ bool takes_both_halves(const SeamModel& m, Index i, Index j) {
   return takes(i, j) || takes(j, i);
 }
 
+namespace {
+
+/// Whether both are the long edges of one strip, which would make a hose of it.
+bool are_along_strip(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  constexpr double kLong = 0.4;  // of the outline
+  if (a.panel != b.panel || m.lines[a.panel] != 4) return false;
+  const auto is_long = [&](const SeamRun& run) {  // or a part of one
+    return run.length > kLong * (run.to - run.from) * m.girth[run.panel];
+  };
+  return is_long(a) && is_long(b);
+}
+
+/// Whether both are of the left and the right leg, of the same half, and lie away from the crotch.
+bool are_outer_legs(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  if (a.panel == b.panel || m.twin[a.panel] != b.panel) return false;
+  const auto is_outer = [&](const SeamRun& run) {
+    return m.crotch_side[run.panel] * faces_right(m, run) < -kPairWeights.facing;
+  };
+  return is_outer(a) && is_outer(b);
+}
+
+/// Whether the run is around the face: straight, beside a longer edge of the hood that goes over the head.
+bool is_face_of_hood(const SeamModel& m, const SeamRun& run) {
+  constexpr double kStraight = 10, kOverHead = 30;  // degrees
+  if (m.words[run.panel].kind != PieceKind::kHood || std::abs(run.turn.back()) > kStraight) return false;
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
+    return other.panel == run.panel && other.turn.back() > kOverHead && other.length > run.length;
+  });
+}
+
+/// Whether no garment has the two runs sewn to each other, whatever else it is.
+bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const bool shuts_hood = m.twin[a.panel] == b.panel && is_face_of_hood(m, a) && is_face_of_hood(m, b);
+  return shuts_hood || are_along_strip(m, a, b) || are_outer_legs(m, a, b);
+}
+
+}  // namespace
+
 double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int hangs) {
+  if (never_meet(m, a, b)) return kPairWeights.never_meet;
   const PieceKind ka = m.words[a.panel].kind, kb = m.words[b.panel].kind;
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
   if (ka == PieceKind::kStrap && kb == PieceKind::kStrap) return kPairWeights.two_straps;
   if (is_raglan_neck(m, a, b) || is_raglan_neck(m, b, a)) return 0;
-  if (!ever_meet(ka, kb) || (on_limb(x) && on_limb(y) && x.leg != y.leg)) return kPairWeights.never_meet;
+  const bool cut_on =
+      m.cut_on && (hangs_from(m, a.panel, b.panel) > 0 || hangs_from(m, b.panel, a.panel) > 0);
+  if ((!ever_meet(ka, kb) && !cut_on) || (on_limb(x) && on_limb(y) && x.leg != y.leg))
+    return kPairWeights.never_meet;
   if (ka == PieceKind::kStrap || kb == PieceKind::kStrap) return strap_merit(m, a, b);
   if (is_for_arm(m, a) && is_for_arm(m, b)) return kPairWeights.never_meet;
   if (is_off_armhole_end(m, a, b) || is_off_armhole_end(m, b, a)) return kPairWeights.never_meet;
@@ -263,13 +305,24 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   return hanging && upright && !is_neck(ka) && !is_neck(kb) ? kPairWeights.only_hangs : 0;
 }
 
+namespace {
+
+/// Whether the run goes from the hem of a bodice in a wide bend to the wrist of a sleeve that is cut on.
+bool sweeps_to_wrist(const SeamModel& m, const SeamRun& run) {
+  constexpr double kWide = -45;  // degrees
+  return m.words[run.panel].kind == PieceKind::kTorso && run.turn.back() < kWide && begins_at_hem(m, run);
+}
+
+}  // namespace
+
 double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   constexpr double mostly = kPairWeights.facing, fully = kPairWeights.facing_fully;
   if (!m.upright[a.panel] || !m.upright[b.panel]) return 0;
   const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
   const double ua = a.up, ub = b.up;
   if (ua < -mostly && ub < -mostly) {
-    const bool meet = (is_crotch(m, a) && is_crotch(m, b)) || (is_below_arm(m, a) && is_below_arm(m, b));
+    const bool meet = (is_crotch(m, a) && is_crotch(m, b)) || (is_below_arm(m, a) && is_below_arm(m, b)) ||
+                      (sweeps_to_wrist(m, a) && sweeps_to_wrist(m, b));
     return meet ? 0 : kPairWeights.two_hems;
   }
   if (ua > fully && ub > fully) return level_merit(m, a, b);

@@ -118,7 +118,7 @@ void add_panel(const pattern::Panel& panel, Index index, SeamModel& model) {
 }
 
 /// Pieces whose names differ by their last number alone, in its order: levels, where there is one without
-/// any, else in a row.
+/// any, else in a row where there are several.
 void find_rows(const pattern::Pattern& pattern, SeamModel& m) {
   std::map<std::string, std::vector<std::pair<int, Index>>> rows;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
@@ -140,6 +140,7 @@ void find_rows(const pattern::Pattern& pattern, SeamModel& m) {
       for (std::size_t k = 0; k < pieces.size(); ++k) m.level[pieces[k].second] = static_cast<int>(k) + 1;
       continue;
     }
+    if (pieces.size() < 2) continue;  // a number that ends one name alone is a size
     for (std::size_t k = 0; k < pieces.size(); ++k)
       m.rows[pieces[k].second] = {row, static_cast<Index>(k), static_cast<Index>(pieces.size())};
     ++row;
@@ -164,6 +165,11 @@ void find_hands(SeamModel& m) {
 /// Bands and cuffs, that other pieces hang from.
 void find_between(SeamModel& m) {
   m.below_cuff.assign(m.words.size(), 0);
+  const auto any = [&](PieceKind kind) {
+    return std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) { return w.kind == kind; });
+  };
+  m.cut_on =
+      any(PieceKind::kTorso) && any(PieceKind::kCuff) && !any(PieceKind::kSleeve) && !any(PieceKind::kLegs);
   for (const PieceWords& cuff : m.words) {
     m.has_band = m.has_band || cuff.kind == PieceKind::kBand;
     for (std::size_t p = 0; p < m.words.size() && cuff.kind == PieceKind::kCuff; ++p)
@@ -173,8 +179,17 @@ void find_between(SeamModel& m) {
   }
 }
 
+/// Whether what slopes upwards on the piece goes down to its hem, as the sides of half a circle do.
+bool slopes_to_hem(const SeamModel& m, Index panel) {
+  return std::all_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+    const bool slopes = run.up > kPairWeights.facing && bend_of(run) < kPairWeights.straight_deg;
+    return run.panel != panel || !slopes || begins_at_hem(m, run);
+  });
+}
+
 /// What is only called front, back or side is of the trunk where it has shoulders; or where sleeves, collars,
-/// hoods or others with shoulders say that it is a top, and nothing else says what covers the trunk.
+/// hoods or others with shoulders say that it is a top, and nothing else says what covers the trunk. Below a
+/// waistband half a circle is no cape.
 void name_trunk(SeamModel& m) {
   using enum PieceKind;
   std::vector<PieceWords>& words = m.words;
@@ -184,10 +199,11 @@ void name_trunk(SeamModel& m) {
     });
   };
   const auto unnamed = [](const PieceWords& w) { return w.kind == kOther && !w.limb && !w.layer; };
-  const bool covered = any({kTorso, kSkirt, kLegs});
+  const bool covered = any({kTorso, kSkirt, kLegs}), banded = any({kBand});
   bool top = any({kSleeve, kCollar, kHood});
   for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
     if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
+    if (banded && slopes_to_hem(m, p)) continue;
     words[p].kind = kTorso;
     words[p].guessed = true;
     top = true;
@@ -310,6 +326,9 @@ int hangs_from(const SeamModel& m, Index lower, Index upper) {
   const bool past_cuff = m.below_cuff[lower] && y.kind != kCuff;
   const bool other_limb =
       x.kind != kOther && y.kind != kOther && x.limb && (y.limb || y.leg) && x.leg != y.leg;
+  if (m.cut_on && x.kind == kCuff && y.kind == kTorso) return 1;
+  const bool on_yoke = x.kind == kTorso && y.kind == kTorso && y.yoke && !x.yoke && x.face * y.face >= 0;
+  if (on_yoke && x.side * y.side >= 0) return 1;
   const bool past_level = m.level[lower] != (x.kind == y.kind ? m.level[upper] + 1 : 0);
   if (x.kind == y.kind && !past_level) return hangs_from(x.kind, y.kind);
   return past_band || past_cuff || other_limb || (x.kind == PieceKind::kSkirt && past_level)
@@ -323,9 +342,10 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
     model.words.push_back(words_of(pattern.panels[p].id));
     const PieceWords& words = model.words.back();
     const bool half_cuff = words.kind == PieceKind::kCuff && words.face != 0;
-    model.up.push_back(up_of(pattern.panels[p], words.hem_band ? PieceKind::kBand
-                                                : half_cuff    ? PieceKind::kOther
-                                                               : words.kind));
+    const bool band = words.hem_band || (words.stand && words.kind == PieceKind::kCollar);
+    model.up.push_back(up_of(pattern.panels[p], band        ? PieceKind::kBand
+                                                : half_cuff ? PieceKind::kOther
+                                                            : words.kind));
     add_panel(pattern.panels[p], static_cast<Index>(p), model);
     model.lines.push_back(static_cast<int>(pattern.panels[p].outline.edges.size()));
     // Sleeves are often drawn lying, and files without grain lines have it upright.
@@ -342,6 +362,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   find_line_turns(model);
   find_twins(model);
   name_legs(model);
+  find_crotch_sides(model);
   name_skirts(model);
   name_leg_cuffs(model);
   find_between(model);

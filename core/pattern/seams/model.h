@@ -56,11 +56,14 @@ struct SeamModel {
   int handed = 0;
   bool tailored = false;  ///< a sleeve has an under part: its upper end, in the armhole, is hollow
   bool raglan = false;    ///< a sleeve goes up to the neck between front and back
+  bool cut_on = false;    ///< cuffs end sleeves that are cut in one with the bodice
   bool has_band = false;  ///< a waistband: what hangs from the waist hangs from it
   /// Of each panel: it is a frill whose limb has a cuff, so that it hangs from that.
   std::vector<char> below_cuff;
   /// Of each panel: it is one of two fronts between which the garment opens, one of its runs an open front.
   std::vector<char> opens;
+  /// Of each panel: which way the crotch of a leg's half faces, +1 right of the grain, -1 left; 0: it is none.
+  std::vector<int> crotch_side;
   std::vector<Vec2> up;       ///< unit vector of each panel's grain
   std::vector<char> upright;  ///< of each panel: whether `up` is likely to be up when it is worn
   std::vector<Index> twin;    ///< the panel that mirrors each, itself perhaps; kNone

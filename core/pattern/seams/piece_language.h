@@ -7,8 +7,8 @@
 
 namespace toile::seams {
 
-/// The words of a piece's or a garment's name (UTF-8) as words_of_name() has them, without accents and, where
-/// they are the trade's words of German, French, Spanish, Italian, Portuguese, Dutch or Polish, in English:
+/// The words of a piece's or a garment's name (UTF-8) as words_of_name() has them, in Latin letters without
+/// accents and, where they are the trade's words of another language (piece_terms.h), in English:
 /// "Ärmel_links" is "sleeve", "left", "Vorderhose" is "front", "pants", "pied de col" is "collar", "stand".
 /// Articles are left out; words that are not known stay.
 std::vector<std::string> words_of_piece(std::string_view name);

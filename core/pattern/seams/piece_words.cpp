@@ -85,10 +85,11 @@ bool lies_on_cloth(const std::string& word) {
          std::any_of(std::begin(kEnds), std::end(kEnds), [&](const char* w) { return word.ends_with(w); });
 }
 
-/// Whether the words tell of a band along that edge: "hem band", "neck rib", "hemband".
+/// Whether the words tell of a band along that edge: "hem band", "neck rib", "hemband", or, where what is
+/// told more of comes first, "band hem".
 bool tells_band(const std::vector<std::string>& words, const std::string& edge) {
   for (const char* band : {"band", "rib", "ribbing"}) {
-    if (holds_in_a_row(words, edge.c_str(), band)) return true;
+    if (holds_in_a_row(words, edge.c_str(), band) || holds_in_a_row(words, band, edge.c_str())) return true;
     if (std::find(words.begin(), words.end(), edge + band) != words.end()) return true;
   }
   return false;

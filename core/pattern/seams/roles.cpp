@@ -1,6 +1,7 @@
 #include "core/pattern/seams/roles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -81,12 +82,17 @@ bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
   if (run.turn.back() > kPairWeights.twin_hollow_deg || std::abs(run.up) > kPairWeights.facing) return false;
   const auto forwards = [&](const SeamRun& at) -> const SeamRun& { return m.runs[at.next]; };
   const auto backwards = [&](const SeamRun& at) -> const SeamRun& { return run_before(m, at); };
-  const auto is_outer = [&](const SeamRun* side) {
-    return side != nullptr && faces_right(m, *side) * faces_right(m, run) < 0 && begins_at_hem(m, *side) &&
-           side->turn.back() > kPairWeights.hollow_deg;
+  const auto is_outer = [&](const SeamRun* side, auto step) {
+    const auto goes_on = [&] {
+      return faces_right(m, *side) * faces_right(m, run) < 0 && side->turn.back() > kPairWeights.hollow_deg;
+    };
+    while (side != nullptr && goes_on() && !begins_at_hem(m, *side))
+      side = &step(*side);  // parted at a pocket
+    return side != nullptr && goes_on();
   };
-  if (begins_at_hem(m, backwards(run)) && is_outer(beyond_waist(m, forwards(run), forwards))) return true;
-  return begins_at_hem(m, forwards(run)) && is_outer(beyond_waist(m, backwards(run), backwards));
+  if (begins_at_hem(m, backwards(run)) && is_outer(beyond_waist(m, forwards(run), forwards), forwards))
+    return true;
+  return begins_at_hem(m, forwards(run)) && is_outer(beyond_waist(m, backwards(run), backwards), backwards);
 }
 
 /// How long the edge is that goes from a front's hem up to the shoulder, which faces up and outwards;
@@ -130,6 +136,15 @@ void name_legs(SeamModel& m) {
     m.words[p].kind = PieceKind::kLegs;
     m.words[p].leg = m.words[p].guessed = true;
   }
+}
+
+void find_crotch_sides(SeamModel& m) {
+  std::vector<std::array<bool, 2>> crotch(m.words.size());  // that faces left, right
+  for (const SeamRun& run : m.runs)
+    if (m.words[run.panel].leg && is_leg_crotch(m, run)) crotch[run.panel][faces_right(m, run) > 0] = true;
+  m.crotch_side.clear();
+  for (const std::array<bool, 2>& sides : crotch)
+    m.crotch_side.push_back(static_cast<int>(sides[1]) - static_cast<int>(sides[0]));
 }
 
 void name_skirts(SeamModel& m) {

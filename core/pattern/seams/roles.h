@@ -33,6 +33,9 @@ void find_raglan_sleeves(SeamModel& m);
 /// Whether the run is the upper end of a sleeve that goes up to the neck: short, level, and no cap.
 bool is_raglan_top(const SeamModel& m, const SeamRun& run);
 
+/// `crotch_side`: of pieces that are legs, by name or by name_legs(), and have a crotch on one side alone.
+void find_crotch_sides(SeamModel& m);
+
 /// `side`.
 void find_sides(SeamModel& m);
 

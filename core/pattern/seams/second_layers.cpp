@@ -49,6 +49,13 @@ std::size_t worn_bands(const SeamModel& m, Index panel) {
 std::size_t worn_copies(const SeamModel& m, Index panel) {
   const PieceWords& words = m.words[panel];
   const bool faced = words.kind == PieceKind::kCollar || words.kind == PieceKind::kHood || words.yoke;
+  const bool other_face = std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) {
+    return w.kind == words.kind && w.face * words.face < 0;
+  });
+  // A bib with what lines it, a waistband's front that is cut twice.
+  if ((words.kind == PieceKind::kTorso || words.kind == PieceKind::kBand) && other_face)
+    return mirrors_itself(m, panel) ? 1 : words.yoke ? 2 : 0;
+  if (words.kind == PieceKind::kBand && words.side != 0) return 1;
   if (words.kind == PieceKind::kBand || words.hem_band) return worn_bands(m, panel);
   if (words.kind == PieceKind::kCuff || words.kind == PieceKind::kSleeve) return words.side != 0 ? 1 : 2;
   if (!faced) return 0;

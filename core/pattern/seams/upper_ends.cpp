@@ -17,9 +17,10 @@ namespace {
 /// of FreeSewing in ten sizes, all drawn upright: of the former none is stood on its head, of the latter one
 /// design of underwear.
 struct EndWeights {
-  double tells = 12;   ///< degrees of what opens upwards that tell; bodices and legs mostly have 30 to 200
-  double down = 30;    ///< … downwards, with a shoulder at that end: onesies have leg openings there
-  double surely = 50;  ///< … downwards, of a bodice without any
+  double tells = 12;     ///< degrees of what opens upwards that tell; bodices and legs mostly have 30 to 200
+  double down = 30;      ///< … downwards, with a shoulder at that end: onesies have leg openings there
+  double surely = 50;    ///< … downwards, of a bodice without any
+  double neck_deg = 60;  ///< how much a neck is hollow at least that tells whatever else is
   double skirt_tells = 25;  ///< … of a skirt, which may be hollow at its hem
   double wider = 1.25;      ///< times, of a hem over the upper end: skirts may narrow a little downwards
   double dart_deg = 300;    ///< degrees of cloth from which on a corner is a dart's tip
@@ -102,6 +103,22 @@ bool has_forks(const SeamModel& m) {
   });
 }
 
+/// +1 where a neck in the middle of a whole front or back faces along the grain, −1 where it faces against
+/// it: sides that run into sleeves cut on are hollow as well, and open downwards. 0: there is none, or one at
+/// either end.
+int told_by_neck(const SeamModel& m, const std::vector<Index>& runs) {
+  constexpr double kFaces = 0.9;
+  int up = 0, down = 0;
+  for (const Index r : runs) {
+    const SeamRun& run = m.runs[r];
+    const bool in_middle = run.mirror_panel == run.panel && run.mirror_edge == run.edge;
+    if (!in_middle || run.turn.back() > -kEndWeights.neck_deg) continue;
+    up += run.up > kFaces;
+    down += run.up < -kFaces;
+  }
+  return (up > 0) - (down > 0);
+}
+
 /// +1 where the grain points upwards, −1 where it points down, 0 where the shape does not tell. `turned`: the
 /// model of all pieces on their heads.
 int told_by_shape(const SeamModel& m, const SeamModel& turned, Index panel, Vec2 grain) {
@@ -121,6 +138,7 @@ int told_by_shape(const SeamModel& m, const SeamModel& turned, Index panel, Vec2
     const int part = crotch != 0 ? crotch : has_shoulder(m, panel) - has_shoulder(turned, panel);
     if ((words.kind != kTorso || words.guessed) && has_forks(m))
       return 0;  // what is hollow may be for the legs
+    if (const int neck = told_by_neck(m, runs); neck != 0 && words.kind != kLegs) return neck;
     if (part > 0 || opening.hollow > kEndWeights.tells) return part < 0 ? 0 : 1;
     const bool down = part < 0 && opening.hollow < -(crotch < 0 ? kEndWeights.tells : kEndWeights.down);
     if (down || (words.kind == kTorso && opening.hollow < -kEndWeights.surely)) return -1;

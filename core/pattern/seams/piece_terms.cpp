@@ -1,0 +1,293 @@
+#include "core/pattern/seams/piece_terms.h"
+
+#include <cstddef>
+#include <unordered_map>
+
+namespace toile::seams {
+namespace {
+
+// Of each language: small letters without accents, "theirs=english", two words where they stand in a row.
+constexpr std::string_view kShortened =
+    "pkt=pocket;wbnd=waistband;wband=waistband;clr=collar;fcg=facing;sf=side front;sb=side back;"
+    "wstbnd=waistband;wstband=waistband;wst=waist;lnng=lining;intl=interlining;fus=fusible;"
+    "plkt=placket;plk=placket;yk=yoke;ctr front=front;ctr back=back;nk=neck;nkband=neckband;"
+    "nkbd=neckband;strp=strap;gst=gusset;sdft=side front;sdbk=side back;scrotch=gusset;pckt=pocket;"
+    "pock=pocket;undslv=undersleeve;topslv=topsleeve;upslv=topsleeve;cuf=cuff;btm=bottom;"
+    "bdy=body;bnd=band;bind=binding;bndg=binding;";
+
+// "rt" alone is English, and right.
+constexpr std::string_view kGerman =
+    "vt=front;ht=back;rt mitte=back;rt seite=back side;vh=front pants;hh=back pants;vorne=front;"
+    "vorn=front;hinten=back;rucken=back;links=left;linke=left;linker=left;linkes=left;rechts=right;"
+    "rechte=right;rechter=right;rechtes=right;seite=side;seitenteil=side;armel=sleeve;kragen=collar;"
+    "kragensteg=collar stand;steg=stand;unterkragen=undercollar;revers=lapel;kapuze=hood;"
+    "manschette=cuff;armelbundchen=cuff;beinbundchen=cuff;bund=waistband;gurtel=belt;rock=skirt;"
+    "hose=pants;bein=leg;hosenbein=leg;oberteil=bodice;mieder=bodice;rumpf=torso;passe=yoke;"
+    "sattel=yoke;blende=band;trager=strap;volant=ruffle;rusche=ruffle;zwickel=gusset;tasche=pocket;"
+    "beleg=facing;futter=lining;einlage=interlining;kleid=dress;hemd=shirt;bluse=blouse;mantel=coat;"
+    "jacke=jacket;weste=vest;vorder=front;hinter=back;vordere=front;hintere=back;vorderes=front;"
+    "hinteres=back;vm=front;hm=back;mitte vorne=front;mitte hinten=back;vordere mitte=front;"
+    "hintere mitte=back;seitlich=side;seitliches=side;oberarmel=topsleeve;unterarmel=undersleeve;"
+    "kapuzenmitte=hood;kapuzenseite=hood side;oberkragen=collar;stehkragen=collar;bundchen=rib;"
+    "halsbundchen=neckband;ausschnittblende=neckband;halsblende=neckband;halsausschnitt=neck;"
+    "ausschnitt=neck;saum=hem;taille=waist;taillenband=waistband;schulterpasse=yoke;huftpasse=yoke;"
+    "rockpasse=yoke;untertritt=fly;ubertritt=fly;hosenschlitz=fly;knopfleiste=placket;leiste=placket;"
+    "schlitz=placket;schlaufe=loop;gurtelschlaufe=loop;patte=flap;klappe=flap;paspel=piping;"
+    "schragband=binding;einfassung=binding;bindeband=tie;bindegurtel=belt;latz=bib;schosschen=peplum;"
+    "keil=gusset;leggins=leggings;pullover=sweater;sakko=jacket;stufe=tier;";
+
+constexpr std::string_view kFrench =
+    "devant=front;dos=back;gauche=left;droit=right;droite=right;cote=side;bord cote=rib;"
+    "manche=sleeve;col=collar;pied col=collar stand;dessous col=undercollar;capuche=hood;"
+    "capuchon=hood;poignet=cuff;ceinture=waistband;jupe=skirt;pantalon=pants;jambe=leg;"
+    "corsage=bodice;empiecement=yoke;bretelle=strap;bande encolure=neckband;encolure=neck;bande=band;"
+    "soufflet=gusset;poche=pocket;parementure=facing;enforme=facing;doublure=lining;"
+    "thermocollant=fusible;chemise=shirt;chemisier=blouse;veste=jacket;manteau=coat;gilet=vest;"
+    "avant=front;arriere=back;milieu devant=front;milieu dos=back;gauches=left;droits=right;"
+    "petit cote=side;manches=sleeve;dessus manche=topsleeve;dessous manche=undersleeve;dessus=top;"
+    "bord cotes=rib;bords cotes=rib;bande cou=neckband;bande col=neckband;bande bas=hem band;"
+    "bande ceinture=waistband;bord encolure=neckband;col montant=collar;col chale=collar;bavette=bib;"
+    "plastron=bib;culotte=pants;buste=bodice;corps=body;haut=top;basque=peplum;etage=tier;lien=tie;"
+    "liens=tie;biais=binding;passepoil=piping;patte boutonnage=placket;patte capucin=placket;"
+    "sous patte=fly;rabat=flap;passant=loop;braguette=fly;fond poche=pocket;sac poche=pocket;"
+    "parement=facing;entoilage=interlining;renfort=interlining;ourlet=hem;bustier=bodice;hausse=yoke;"
+    "triangle=gusset;";
+
+constexpr std::string_view kSpanishPortuguese =
+    "delant=front;post=back;esp=back;espald=back;tras=back;pret=waistband;mga=sleeve;cllo=collar;bols=pocket;"
+    "del izq=left front;del der=right front;del izdo=left front;del dcho=right front;izq=left;izdo=left;"
+    "izda=left;der=right;dcho=right;dcha=right;cuart=side;fald=skirt;"
+    "delantero=front;delantera=front;frente=front;espalda=back;trasero=back;trasera=back;costas=back;"
+    "izquierda=left;izquierdo=left;derecha=right;derecho=right;esquerda=left;esquerdo=left;"
+    "direita=right;direito=right;costado=side;lateral=side;manga=sleeve;cuello=collar;gola=collar;"
+    "colarinho=collar;capucha=hood;capuz=hood;puno=cuff;punho=cuff;pretina=waistband;"
+    "cinturilla=waistband;cos=waistband;falda=skirt;saia=skirt;pantalones=pants;calca=pants;"
+    "calcas=pants;pierna=leg;perna=leg;canesu=yoke;tirante=strap;volante=ruffle;bolsillo=pocket;"
+    "bolso=pocket;vista=facing;forro=lining;entretela=interlining;vestido=dress;camisa=shirt;"
+    "blusa=blouse;chaqueta=jacket;abrigo=coat;chaleco=vest;adelante=front;atras=back;posterior=back;"
+    "anterior=front;dianteiro=front;dianteira=front;traseiro=back;traseira=back;tras=back;lado=side;"
+    "talle=bodice;corpino=bodice;corpete=bodice;cuello pie=collar stand;pie cuello=collar stand;"
+    "pe gola=collar stand;tira cuello=neckband;tira escote=neckband;escote=neck;decote=neck;"
+    "banda cuello=neckband;capucho=hood;punos=cuff;punhos=cuff;mangas=sleeve;cintura=waistband;"
+    "cinturon=belt;cinto=belt;banda cintura=waistband;elastico cintura=waistband;cueros=yoke;"
+    "pala=yoke;hombro=shoulder;tirantes=strap;alca=strap;alcas=strap;peto=bib;peitilho=bib;bajo=hem;"
+    "bainha=hem;dobladillo=hem;barra=hem band;resorte=rib;canale=rib;ribana=rib;vuelo=ruffle;"
+    "olan=ruffle;babado=ruffle;folho=ruffle;holan=ruffle;tapeta=placket;carcela=placket;aletilla=fly;"
+    "bragueta=fly;braguilha=fly;braguilla=fly;pertingal=fly;tapa=flap;cartera=flap;aba=flap;"
+    "trabilla=loop;presilla=loop;passante=loop;pasador=loop;ribete=binding;bies=binding;vies=binding;"
+    "sesgo=binding;bolsillos=pocket;bolsa=pocket;fondo bolsillo=pocket;falso=facing;vistas=facing;"
+    "guarnicion=facing;limpeza=facing;contorno=facing;fusionable=fusible;reforco=interlining;"
+    "braga=pants;mallas=leggings;bermuda=pants;remera=tshirt;camiseta=tshirt;franela=tshirt;"
+    "playera=tshirt;sudadera=sweatshirt;casaco=jacket;cuchilla=gusset;nesga=godet;godete=godet;"
+    "nivel=tier;piernas=leg;pernas=leg;solapa=lapel;lapela=lapel;";
+
+constexpr std::string_view kItalian =
+    "davanti=front;davanto=front;dietro=back;schiena=back;sinistra=left;sinistro=left;destra=right;"
+    "destro=right;fianco=side;fianchetto=side;manica=sleeve;collo=collar;colletto=collar;"
+    "cappuccio=hood;polso=cuff;polsino=cuff;cinturino=waistband;gonna=skirt;pantalone=pants;"
+    "pantaloni=pants;gamba=leg;corpetto=bodice;sprone=yoke;bretella=strap;balza=ruffle;tasca=pocket;"
+    "paramontura=facing;fodera=lining;vestito=dress;camicia=shirt;camicetta=blouse;giacca=jacket;"
+    "cappotto=coat;avanti=front;dietri=back;posteriore=back;anteriore=front;davantino=bib;"
+    "centro davanti=front;centro dietro=back;fianchi=side;laterale=side;maniche=sleeve;"
+    "sopra manica=topsleeve;sopramanica=topsleeve;sotto manica=undersleeve;sottomanica=undersleeve;"
+    "bavero=collar;listino collo=collar stand;listino=collar stand;pistagna=collar stand;"
+    "solino=collar stand;sottocollo=undercollar;rever=lapel;bordo scollo=neckband;"
+    "bordino scollo=neckband;fascia collo=neckband;scollo=neck;scollatura=neck;girocollo=neckband;"
+    "bordo fondo=hem band;fascia fondo=hem band;fascia vita=waistband;fascione=waistband;fascia=band;"
+    "bordo=band;bordo manica=cuff;polsini=cuff;costina=rib;fondo=hem;vita=waist;busto=bodice;"
+    "carre=yoke;spallina=strap;spalline=strap;pettorina=bib;bustino=bodice;arriccio=ruffle;"
+    "rouche=ruffle;baschina=peplum;passanti=loop;patta=fly;finta=placket;cannolo=placket;"
+    "abbottonatura=placket;pattina=flap;aletta=flap;sbieco=binding;profilo=piping;sacco tasca=pocket;"
+    "taschino=pocket;fusto tasca=pocket;filetto=welt;ripiego=facing;mostra=facing;adesivo=fusible;"
+    "teletta=interlining;gonne=skirt;panta=pants;abito=dress;tubino=dress;maglietta=tshirt;"
+    "felpa=sweatshirt;cinta=belt;laccio=tie;tassello=gusset;cuneo=gusset;";
+
+constexpr std::string_view kDutch =
+    "voor=front;voorkant=front;achter=back;achterkant=back;rugpand=back;zijkant=side;zijpand=side;"
+    "mouw=sleeve;kraag=collar;manchet=cuff;tailleband=waistband;rok=skirt;broek=pants;pijp=leg;"
+    "broekspijp=leg;schouderstuk=yoke;schouderband=strap;zak=pocket;voering=lining;jurk=dress;"
+    "overhemd=shirt;jas=coat;voorpand=front;achterpand=back;rug=back;rugstuk=back;borststuk=bib;"
+    "borstlap=bib;linkervoorpand=left front;rechtervoorpand=right front;midden voor=front;"
+    "midden achter=back;bovenmouw=topsleeve;ondermouw=undersleeve;mouwboord=cuff;mouwmanchet=cuff;"
+    "boord=rib;halsboord=neckband;halsbies=neckband;tailleboord=waistband;zoomboord=hem band;"
+    "zoom=hem;staander=stand;kraagstandaard=collar stand;bovenkraag=collar;onderkraag=undercollar;"
+    "lijfje=bodice;lijf=bodice;heupstuk=yoke;heuppas=yoke;schouderbandje=strap;bandje=strap;"
+    "strook=ruffle;gulp=fly;lus=loop;riemlus=loop;riem=belt;ceintuur=belt;klep=flap;"
+    "biaisband=binding;knoopsluiting=placket;polo sluiting=placket;tussenvoering=interlining;"
+    "vlieseline=interlining;baan=panel;rokbaan=skirt panel;tuinbroek=pants;trui=sweater;spie=gusset;"
+    "kruisje=gusset;";
+
+constexpr std::string_view kPolish =
+    "przod=front;tyl=back;lewy=left;lewa=left;prawy=right;prawa=right;bok=side;rekaw=sleeve;"
+    "kolnierz=collar;stojka=stand;kaptur=hood;mankiet=cuff;pasek=waistband;spodnica=skirt;"
+    "spodnie=pants;nogawka=leg;karczek=yoke;kieszen=pocket;podszewka=lining;sukienka=dress;"
+    "koszula=shirt;bluzka=blouse;przodu=front;przednia=front;przedni=front;tylu=back;tylna=back;"
+    "tylni=back;plecy=back;plecow=back;boczek=side;boczny=side;boczna=side;srodek przodu=front;"
+    "srodek tylu=back;rekawa=sleeve;rekawy=sleeve;kolnierza=collar;stan=bodice;gora=bodice;"
+    "korpus=body;mankietu=cuff;pas=waistband;paska=waistband;talia=waist;dol=hem;"
+    "plisa dekoltu=neckband;plisa szyi=neckband;lamowka dekoltu=neckband;dekolt=neck;dekoltu=neck;"
+    "sciagacz=rib;sciagacza=rib;sciagacz dolny=hem rib;spod=lower;spodnica przod=front skirt;"
+    "spodnicy=skirt;spodni=pants;legginsy=leggings;ramiaczko=strap;ramiaczka=strap;szelka=strap;"
+    "szelki=strap;falbana=ruffle;falbanka=ruffle;baskinka=peplum;odszycie=facing;odszycia=facing;"
+    "oblozenie=facing;obszycie=facing;wklad=interlining;flizelina=interlining;klejonka=fusible;"
+    "plisa=placket;listwa=placket;patka=flap;klapka=flap;klapa=lapel;rozporek=fly;szlufka=loop;"
+    "szlufki=loop;lamowka=binding;kieszeni=pocket;worek=pocket;pasek klin=gusset;klin=gusset;"
+    "karczka=yoke;wiazanie=tie;marynarka=jacket;kurtka=jacket;plaszcz=coat;kamizelka=vest;"
+    "bluza=sweatshirt;koszulka=tshirt;";
+
+// "on", the front, is English too: it is told alone, or by what follows.
+constexpr std::string_view kTurkish =
+    "onu=front;arka=back;arkasi=back;on beden=front;on etek=front skirt;on pantolon=front pants;"
+    "on orta=front;on roba=front yoke;on pat=placket;on kol=front sleeve;on yan=side front;"
+    "on pervaz=front facing;on fold=fold;arka beden=back;sol=left;sag=right;yan=side;kol=sleeve;"
+    "ust kol=topsleeve;alt kol=undersleeve;yaka=collar;yaka ayagi=collar stand;ayak=stand;"
+    "yaka ribana=neckband;yaka bandi=neckband;yaka biyesi=neckband;kapuson=hood;kapsonlu=hood;"
+    "manset=cuff;kol ribana=cuff;kol manseti=cuff;paca=leg;paca ribana=cuff;kemer=waistband;"
+    "bel kemeri=waistband;bel bandi=waistband;bel ribana=waistband;etek ribana=hem rib;etek=skirt;"
+    "pantolon=pants;tayt=leggings;roba=yoke;lastik=rib;aski=strap;firfir=ruffle;volan=ruffle;"
+    "cep=pocket;cebi=pocket;cep torbasi=pocket;cep kapagi=flap;kapak=flap;astar=lining;"
+    "tela=interlining;pervaz=facing;pat=placket;patlet=fly;kopru=loop;kusak=belt;biye=binding;"
+    "elbise=dress;gomlek=shirt;ceket=jacket;mont=coat;yelek=vest;kus=gusset;";
+
+constexpr std::string_view kSwedishDanishNorwegian =
+    "framstycke=front;bakstycke=back;framsida=front;forstykke=front;bagstykke=back;rygstykke=back;"
+    "framstykke=front;bakstykke=back;forstk=front;ryg=back;vanster=left;hoger=right;venstre=left;"
+    "hojre=right;hoyre=right;sida=side;sidestykke=side;sidstycke=side;aerme=sleeve;erme=sleeve;"
+    "krage=collar;krave=collar;stakrage=collar;kragstand=stand;huva=hood;hette=hood;haette=hood;"
+    "mudd=rib;armmudd=cuff;halsmudd=neckband;halskant=neckband;midjemudd=hem rib;manschett=cuff;"
+    "mansjett=cuff;linning=waistband;kjol=skirt;nederdel=skirt;skjort=skirt;byxa=pants;byxor=pants;"
+    "bukser=pants;bukse=pants;byxben=leg;besparing=yoke;baerestykke=yoke;ficka=pocket;lomme=pocket;"
+    "foder=lining;infodring=facing;belegg=facing;belaegning=facing;axelband=strap;strop=strap;"
+    "stropp=strap;volang=ruffle;klanning=dress;kjole=dress;skjorta=shirt;skjorte=shirt;jakke=jacket;"
+    "jacka=jacket;kappa=coat;";
+
+constexpr std::string_view kCzechSlovak =
+    "predni=front;predny=front;predne=front;zadni=back;zadny=back;zadne=back;predni dil=front;"
+    "zadni dil=back;levy=left;pravy=right;bocni=side;bocny=side;rukav=sleeve;limec=collar;"
+    "golier=collar;stojacek=stand;kapuce=hood;kapucna=hood;manzeta=cuff;sukne=skirt;sukna=skirt;"
+    "kalhoty=pants;nohavice=pants;sedlo=yoke;kapsa=pocket;vrecko=pocket;podsivka=lining;"
+    "podsadka=facing;raminko=strap;naplet=rib;saty=dress;kosile=shirt;kosela=shirt;";
+
+// Russian and Ukrainian, as they are written in Latin letters.
+constexpr std::string_view kRussianUkrainian =
+    "pered=front;perednya=front;perednyaya=front;peredniy=front;polochka=front;polotschka=front;"
+    "spinka=back;zad=back;zadnya=back;zadnyaya=back;zadniy=back;levaya=left;levyy=left;pravaya=right;"
+    "pravyy=right;liva=left;prava=right;bochok=side;bokovaya=side;bokovoy=side;rukava=sleeve;"
+    "verkhnyaya rukava=topsleeve;nizhnyaya rukava=undersleeve;vorotnik=collar;komir=collar;"
+    "stoyka=stand;stiyka=stand;obtachka gorloviny=neckband;beyka gorloviny=neckband;gorlovina=neck;"
+    "gorloviny=neck;kapyushon=hood;manzheta=cuff;manzhet=cuff;poyas=waistband;poyasa=waistband;"
+    "yubka=skirt;yubki=skirt;spidnytsya=skirt;bryuki=pants;bryuk=pants;shtany=pants;"
+    "polovinka bryuk=pants;polovinka=pants;lif=bodice;koketka=yoke;lyamka=strap;bretel=strap;"
+    "bretelka=strap;oborka=ruffle;baska=peplum;karman=pocket;karmana=pocket;kyshenya=pocket;"
+    "meshkovina=pocket;podkladka=lining;pidkladka=lining;obtachka=facing;podbort=facing;"
+    "pidbort=facing;planka=placket;gulfik=fly;otkos=fly;klapan=flap;shlevka=loop;hlyastik=tab;"
+    "lastovitsa=gusset;beyka=binding;dublerin=fusible;platye=dress;rubashka=shirt;zhilet=vest;"
+    "palto=coat;";
+
+constexpr std::string_view kFinnishHungarianRomanian =
+    "etukappale=front;takakappale=back;etu=front;taka=back;vasen=left;oikea=right;sivu=side;"
+    "hiha=sleeve;kaulus=collar;huppu=hood;hihansuu=cuff;ranneke=cuff;resori=rib;vyotaro=waistband;"
+    "vyotarokaitale=waistband;hame=skirt;housut=pants;lahje=leg;kaarroke=yoke;tasku=pocket;"
+    "vuori=lining;olkain=strap;eleje=front;hata=back;hatulja=back;ujja=sleeve;galler=collar;"
+    "kapucni=hood;mandzsetta=cuff;derekpant=waistband;szoknya=skirt;nadrag=pants;zseb=pocket;"
+    "beles=lining;spate=back;fata=front;maneca=sleeve;guler=collar;gluga=hood;manseta=cuff;"
+    "betelie=waistband;cordon=waistband;fusta=skirt;buzunar=pocket;captuseala=lining;platca=yoke;"
+    "bizet=facing;";
+
+/// Signs of Chinese and Japanese that tell a word wherever they stand, longer ones first.
+constexpr PieceTerm kSigns[] = {
+    {"前身頃", "front"},      {"後身頃", "back"},       {"後ろ身頃", "back"},     {"前中", "front"},
+    {"后中", "back"},         {"前侧", "front side"},   {"后侧", "back side"},    {"前片", "front"},
+    {"后片", "back"},         {"後片", "back"},         {"大袖", "topsleeve"},    {"小袖", "undersleeve"},
+    {"袖口", "cuff"},         {"克夫", "cuff"},         {"介英", "cuff"},         {"鸡英", "cuff"},
+    {"カフス", "cuff"},       {"袖头", "cuff"},         {"领座", "collar stand"}, {"下级领", "collar stand"},
+    {"底领", "collar stand"}, {"領座", "collar stand"}, {"台衿", "collar stand"}, {"领口", "neck"},
+    {"领圈", "neck"},         {"腰头", "waistband"},    {"腰頭", "waistband"},    {"腰带", "belt"},
+    {"ベルト", "waistband"},  {"裤头", "waistband"},    {"裙头", "waistband"},    {"口袋", "pocket"},
+    {"袋布", "pocket"},       {"袋盖", "flap"},         {"ポケット", "pocket"},   {"里布", "lining"},
+    {"裏地", "lining"},       {"挂面", "facing"},       {"貼邊", "facing"},       {"贴边", "facing"},
+    {"見返し", "facing"},     {"门襟", "placket"},      {"門襟", "placket"},      {"里襟", "fly"},
+    {"育克", "yoke"},         {"过肩", "yoke"},         {"担干", "yoke"},         {"ヨーク", "yoke"},
+    {"罗纹", "rib"},          {"リブ", "rib"},          {"下摆", "hem"},          {"下脚", "hem"},
+    {"肩带", "strap"},        {"吊带", "strap"},        {"フード", "hood"},       {"帽", "hood"},
+    {"前", "front"},          {"后", "back"},           {"後", "back"},           {"左", "left"},
+    {"右", "right"},          {"侧", "side"},           {"側", "side"},           {"脇", "side"},
+    {"袖", "sleeve"},         {"领", "collar"},         {"領", "collar"},         {"衿", "collar"},
+    {"腰", "waist"},          {"裙", "skirt"},          {"スカート", "skirt"},    {"裤", "pants"},
+    {"褲", "pants"},          {"パンツ", "pants"},      {"袋", "pocket"},         {"衬", "interlining"},
+    {"朴", "interlining"},    {"芯", "interlining"},    {"贴", "facing"},         {"边", "edge"}};
+
+/// Compounds: what a word of German or Dutch begins with …
+constexpr PieceTerm kBeginnings[] = {
+    {"vorder", "front"}, {"voor", "front"},    {"rucken", "back"},    {"hinter", "back"}, {"achter", "back"},
+    {"seiten", "side"},  {"zij", "side"},      {"hals", "neck"},      {"saum", "hem"},    {"zoom", "hem"},
+    {"bauch", "waist"},  {"taillen", "waist"}, {"taschen", "pocket"}, {"zak", "pocket"}};
+/// … and ends with.
+constexpr PieceTerm kEndings[] = {{"armel", "sleeve"},
+                                  {"kragen", "collar"},
+                                  {"manschette", "cuff"},
+                                  {"bundchen", "rib"},
+                                  {"hosenbund", "waistband"},
+                                  {"rockbund", "waistband"},
+                                  {"taillenbund", "waistband"},
+                                  {"hose", "pants"},
+                                  {"hosenteil", "pants"},
+                                  {"rock", "skirt"},
+                                  {"rockteil", "skirt"},
+                                  {"passe", "yoke"},
+                                  {"trager", "strap"},
+                                  {"tasche", "pocket"},
+                                  {"taschenbeutel", "pocket"},
+                                  {"beleg", "facing"},
+                                  {"futter", "lining"},
+                                  {"einlage", "interlining"},
+                                  {"schlaufe", "loop"},
+                                  {"leiste", "placket"},
+                                  {"kapuze", "hood"},
+                                  {"kleid", "dress"},
+                                  {"hemd", "shirt"},
+                                  {"bluse", "blouse"},
+                                  {"mantel", "coat"},
+                                  {"jacke", "jacket"},
+                                  {"mouw", "sleeve"},
+                                  {"kraag", "collar"},
+                                  {"broek", "pants"},
+                                  {"pijp", "leg"},
+                                  {"boord", "rib"},
+                                  {"zak", "pocket"},
+                                  {"voering", "lining"},
+                                  {"manchet", "cuff"},
+                                  {"schouderband", "strap"}};
+
+using Map = std::unordered_map<std::string_view, std::string_view>;
+
+void add_terms(std::string_view table, Map& map) {
+  while (!table.empty()) {
+    const std::size_t end = table.find(';'), equals = table.find('=');
+    map.emplace(table.substr(0, equals), table.substr(equals + 1, end - equals - 1));
+    table.remove_prefix(end + 1);
+  }
+}
+
+Map map_of_terms() {
+  Map map;
+  for (const std::string_view table :
+       {kShortened, kGerman, kFrench, kSpanishPortuguese, kItalian, kDutch, kPolish, kTurkish,
+        kSwedishDanishNorwegian, kCzechSlovak, kRussianUkrainian, kFinnishHungarianRomanian})
+    add_terms(table, map);
+  return map;
+}
+
+}  // namespace
+
+std::optional<std::string_view> english_of(std::string_view term) {
+  static const Map map = map_of_terms();
+  const auto met = map.find(term);
+  return met == map.end() ? std::nullopt : std::optional(met->second);
+}
+
+std::span<const PieceTerm> sign_terms() { return kSigns; }
+std::span<const PieceTerm> beginnings_of_words() { return kBeginnings; }
+std::span<const PieceTerm> endings_of_words() { return kEndings; }
+
+}  // namespace toile::seams

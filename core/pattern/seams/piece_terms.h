@@ -1,0 +1,25 @@
+#pragma once
+// The trade's words for pieces of a garment, as patterns of many countries have them. From general
+// dictionaries and the habits of drafting programs.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace toile::seams {
+
+struct PieceTerm {
+  std::string_view theirs, english;
+};
+
+/// What a word, or two words in a row with a space between, is in English: small letters without accents.
+std::optional<std::string_view> english_of(std::string_view term);
+
+/// Signs of Chinese and Japanese (UTF-8), which need no spaces: longer ones come first.
+std::span<const PieceTerm> sign_terms();
+
+/// What compound words begin and end with: "Rückenteil", "borstzak".
+std::span<const PieceTerm> beginnings_of_words();
+std::span<const PieceTerm> endings_of_words();
+
+}  // namespace toile::seams
