@@ -4,7 +4,7 @@
 
 namespace toile::pattern {
 
-bool is_own_mirror(const Loop& loop) {
+std::vector<Vec2> mirror_axes(const Loop& loop) {
   constexpr double kSame = 0.5;  // mm
   const std::size_t n = loop.edges.size();
   const auto corner = [&](std::size_t k) { return loop.edges[k % n].curves.front().p0; };
@@ -14,12 +14,21 @@ bool is_own_mirror(const Loop& loop) {
            far(length(corner(k + 1) - corner(k)), length(corner(other + 1) - corner(other))) ||
            far(length(corner(k + 2) - corner(k)), length(corner(other + 1) - corner(other + n - 1)));
   };
+  std::vector<Vec2> axes;
   for (std::size_t shift = 0; shift < n; ++shift) {
     bool same = true;
-    for (std::size_t k = 0; k < n && same; ++k) same = !differ(k, (shift + n - k) % n);
-    if (same) return true;
+    Vec2 across;  // between the two corners of a pair that are farthest from each other
+    for (std::size_t k = 0; k < n && same; ++k) {
+      const std::size_t other = (shift + n - k) % n;
+      same = !differ(k, other);
+      const Vec2 pair = corner(k) - corner(other + 1);
+      if (dot(pair, pair) > dot(across, across)) across = pair;
+    }
+    if (same && length(across) > kSame) axes.push_back(normalized(perpendicular(across)));
   }
-  return false;
+  return axes;
 }
+
+bool is_own_mirror(const Loop& loop) { return !mirror_axes(loop).empty(); }
 
 }  // namespace toile::pattern

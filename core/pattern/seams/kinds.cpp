@@ -255,10 +255,19 @@ bool is_face_of_hood(const SeamModel& m, const SeamRun& run) {
   });
 }
 
+/// Whether the two are the upper edges of a front and a back in their middles: the head goes through there.
+bool shut_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const auto is_upper = [&](const SeamRun& run) {
+    return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] &&
+           run.up > kPairWeights.facing && run.mirror_panel == run.panel && run.mirror_edge == run.edge;
+  };
+  return m.words[a.panel].face * m.words[b.panel].face < 0 && is_upper(a) && is_upper(b);
+}
+
 /// Whether no garment has the two runs sewn to each other, whatever else it is.
 bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const bool shuts_hood = m.twin[a.panel] == b.panel && is_face_of_hood(m, a) && is_face_of_hood(m, b);
-  return shuts_hood || are_along_strip(m, a, b) || are_outer_legs(m, a, b);
+  return shuts_hood || shut_neck(m, a, b) || are_along_strip(m, a, b) || are_outer_legs(m, a, b);
 }
 
 }  // namespace

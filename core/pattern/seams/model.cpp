@@ -13,6 +13,7 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/own_mirror.h"
 #include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/second_layers.h"
@@ -80,12 +81,26 @@ std::vector<double> notches_on(const pattern::Panel& panel, const pattern::Panel
   return found;
 }
 
+/// The grain, or, where the cloth lies on the bias, the middle of the piece.
+Vec2 grain_or_middle(const pattern::Panel& panel) {
+  constexpr double kAlong = 0.94, kAcross = 0.34;  // cosines: of 20 and 70 degrees
+  const Vec2 grain = normalized(panel.grain);
+  Vec2 middle = grain;
+  for (const Vec2 axis : pattern::mirror_axes(panel.outline)) {
+    const double along = dot(axis, grain);
+    if (std::abs(along) > kAlong) return grain;
+    if (std::abs(along) > kAcross) middle = along > 0 ? axis : -axis;
+  }
+  return middle;
+}
+
 /// The direction that is up when the piece is worn, as far as it tells: mostly along its grain, but bands,
 /// cuffs and collars are often cut with the grain along them, and then go around a limb all the same.
 Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
   constexpr double kStrip = 2.5;  // times as long as wide
+  constexpr double kHand = 160;   // mm, of a rib that a grown-up's hand passes
   const Vec2 grain = normalized(panel.grain), across = perpendicular(grain);
-  if (kind != PieceKind::kBand && kind != PieceKind::kCuff) return grain;
+  if (kind != PieceKind::kBand && kind != PieceKind::kCuff) return grain_or_middle(panel);
   double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
   for (const pattern::PanelEdge& edge : panel.outline.edges) {
     const Vec2 p = edge.curves.front().p0;
@@ -95,8 +110,11 @@ Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
       high[k] = std::max(high[k], at[k]);
     }
   }
-  if (kind == PieceKind::kCuff)  // a hand has to pass it
-    return high[1] - low[1] < kPairWeights.least_ring_mm ? across : grain;
+  if (kind == PieceKind::kCuff) {  // a hand has to pass it
+    const double tall = high[0] - low[0], wide = high[1] - low[1];
+    const bool tight = wide < kHand && tall >= kHand && tall < 2 * kHand;
+    return wide < kPairWeights.least_ring_mm || tight ? across : grain;
+  }
   return high[0] - low[0] > kStrip * (high[1] - low[1]) ? across : grain;
 }
 
@@ -188,8 +206,8 @@ bool slopes_to_hem(const SeamModel& m, Index panel) {
 }
 
 /// What is only called front, back or side is of the trunk where it has shoulders; or where sleeves, collars,
-/// hoods or others with shoulders say that it is a top, and nothing else says what covers the trunk. Below a
-/// waistband half a circle is no cape.
+/// hoods, straps or others with shoulders say that it is a top, and nothing else says what covers the trunk.
+/// Below a waistband half a circle is no cape.
 void name_trunk(SeamModel& m) {
   using enum PieceKind;
   std::vector<PieceWords>& words = m.words;
@@ -200,7 +218,8 @@ void name_trunk(SeamModel& m) {
   };
   const auto unnamed = [](const PieceWords& w) { return w.kind == kOther && !w.limb && !w.layer; };
   const bool covered = any({kTorso, kSkirt, kLegs}), banded = any({kBand});
-  bool top = any({kSleeve, kCollar, kHood});
+  bool top = any({kSleeve, kCollar, kHood}) ||
+             std::any_of(words.begin(), words.end(), [](const PieceWords& w) { return w.over_shoulder; });
   for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
     if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
     if (banded && slopes_to_hem(m, p)) continue;

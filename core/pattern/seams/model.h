@@ -62,7 +62,8 @@ struct SeamModel {
   std::vector<char> below_cuff;
   /// Of each panel: it is one of two fronts between which the garment opens, one of its runs an open front.
   std::vector<char> opens;
-  /// Of each panel: which way the crotch of a leg's half faces, +1 right of the grain, -1 left; 0: it is none.
+  /// Of each panel: which way the crotch of a leg's half faces, +1 right of the grain, -1 left; 0: it is
+  /// none.
   std::vector<int> crotch_side;
   std::vector<Vec2> up;       ///< unit vector of each panel's grain
   std::vector<char> upright;  ///< of each panel: whether `up` is likely to be up when it is worn

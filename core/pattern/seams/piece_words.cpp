@@ -149,6 +149,7 @@ PieceWords words_of(const std::string& name) {
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
     if (is_leg_word(w)) words.leg = true;
     if (w == "yoke") words.yoke = true;
+    if (is({"strap", "straps"})) words.over_shoulder = words.kind == PieceKind::kStrap;
     if (is({"side", "sidepanel", "flank"})) words.flank = words.kind != PieceKind::kHood;
     if (is({"stand", "neckband"}) && words.kind == PieceKind::kCollar) words.stand = true;
     if (lies_on_cloth(w)) words.layer = true;

@@ -24,16 +24,17 @@ enum class PieceKind {
 /// What a piece's name says of its place, as far as it says anything.
 struct PieceWords {
   PieceKind kind = PieceKind::kOther;
-  bool guessed = false;   ///< no name says the kind, but the rest of the garment
-  int side = 0;           ///< -1 left, +1 right
-  int face = 0;           ///< +1 front, -1 back
-  bool flank = false;     ///< the side of a body: left and right never meet
-  bool leg = false;       ///< of trousers
-  bool limb = false;      ///< a sleeve or a cuff: left and right never meet
-  bool stand = false;     ///< what a collar is sewn to along its length
-  bool yoke = false;      ///< lies over both shoulders, or goes around the hip: it is no tube
-  bool hem_band = false;  ///< a band that ends a top below; of a skirt nothing tells what it is
-  bool layer = false;     ///< a lining, a facing, a pocket: cloth that lies on other cloth
+  bool guessed = false;        ///< no name says the kind, but the rest of the garment
+  int side = 0;                ///< -1 left, +1 right
+  int face = 0;                ///< +1 front, -1 back
+  bool flank = false;          ///< the side of a body: left and right never meet
+  bool leg = false;            ///< of trousers
+  bool limb = false;           ///< a sleeve or a cuff: left and right never meet
+  bool stand = false;          ///< what a collar is sewn to along its length
+  bool yoke = false;           ///< lies over both shoulders, or goes around the hip: it is no tube
+  bool hem_band = false;       ///< a band that ends a top below; of a skirt nothing tells what it is
+  bool over_shoulder = false;  ///< a strap, no tie or belt
+  bool layer = false;          ///< a lining, a facing, a pocket: cloth that lies on other cloth
 };
 
 /// Whether pieces of that kind go around the neck.

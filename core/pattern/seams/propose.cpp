@@ -18,6 +18,7 @@
 #include "core/pattern/seams/search.h"
 #include "core/pattern/seams/second_layers.h"
 #include "core/pattern/seams/sleeve_head.h"
+#include "core/pattern/seams/strap_places.h"
 #include "core/pattern/seams/taken_edges.h"
 #include "core/pattern/seams/weights.h"
 
@@ -279,7 +280,7 @@ std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern, const P
   ProposalSettings telling = settings;
   telling.clockwise = telling_windings(pattern, settings.clockwise);
   std::vector<SeamProposal> proposals =
-      with_mirror_images(pattern, proposals_by_layers(pattern, telling, context));
+      with_strap_places(pattern, with_mirror_images(pattern, proposals_by_layers(pattern, telling, context)));
   std::set<std::string> ids;
   for (const pattern::Seam& seam : pattern.seams) ids.insert(seam.id);
   int number = 0;

@@ -50,7 +50,7 @@ std::size_t worn_copies(const SeamModel& m, Index panel) {
   const PieceWords& words = m.words[panel];
   const bool faced = words.kind == PieceKind::kCollar || words.kind == PieceKind::kHood || words.yoke;
   const bool other_face = std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) {
-    return w.kind == words.kind && w.face * words.face < 0;
+    return (w.kind == words.kind || w.kind == PieceKind::kOther) && !w.layer && w.face * words.face < 0;
   });
   // A bib with what lines it, a waistband's front that is cut twice.
   if ((words.kind == PieceKind::kTorso || words.kind == PieceKind::kBand) && other_face)
@@ -63,14 +63,18 @@ std::size_t worn_copies(const SeamModel& m, Index panel) {
 }
 
 /// Whether the names are those that copies of one drawn piece get: some of them turned over, or counted from
-/// one. Files that name each piece count from nought, or differ in more.
-bool are_copies(const pattern::Pattern& pattern, const std::vector<Index>& panels, const std::string& drawn) {
+/// one, or, where the copies look the same turned over (`alike`), from two. Files that name each piece count
+/// from nought, or differ in more.
+bool are_copies(const pattern::Pattern& pattern, const std::vector<Index>& panels, const std::string& drawn,
+                bool alike) {
   const auto any = [&](const std::string& id) {
     return std::any_of(panels.begin(), panels.end(), [&](Index p) { return pattern.panels[p].id == id; });
   };
   if (any(drawn + kMirrored)) return any(drawn);
-  for (std::size_t k = 1; k <= panels.size(); ++k)
-    if (!any(drawn + "_" + std::to_string(k))) return false;
+  for (std::size_t k = 1; k <= panels.size(); ++k) {
+    const bool first = k == 1 && alike && any(drawn);
+    if (!first && !any(drawn + "_" + std::to_string(k))) return false;
+  }
   return true;
 }
 
@@ -83,7 +87,9 @@ void find_second_layers(const pattern::Pattern& pattern, SeamModel& m) {
     drawn[{drawn_name(pattern.panels[p].id), m.lines[p], std::lround(m.girth[p])}].push_back(p);
   for (auto& [piece, copies] : drawn) {
     const std::size_t worn = worn_copies(m, copies.front());
-    if (worn == 0 || copies.size() <= worn || !are_copies(pattern, copies, std::get<0>(piece))) continue;
+    const bool alike = worn == 1 && m.words[copies.front()].face != 0 && mirrors_itself(m, copies.front());
+    if (worn == 0 || copies.size() <= worn || !are_copies(pattern, copies, std::get<0>(piece), alike))
+      continue;
     const auto order = [&](Index p) {  // of those turned over and of the others the first is worn
       const std::string& id = pattern.panels[p].id;
       return std::tuple(id.size(), id);

@@ -308,6 +308,7 @@ struct ConfidenceWeights {
   double gathers_begin = 0.03;  ///< … this is taken off: gathers are never quite sure
   double dart = 0.97;           ///< of a dart's legs
   double mirror_image = 0.95;   ///< factor for what is sewn on the other side
+  double strap_place = 0.7;     ///< of a strap's end that is sewn onto a piece
   double collar = 0.95;         ///< factor for a collar's …
   double folded_collar = 0.7;   ///< … with lapels: nothing tells how it is folded over
   double layer = 0.6;           ///< factor for a seam of a lining, facing or pocket …

@@ -1,0 +1,288 @@
+// What proposals make of garments as drafting offices hand them on: ribs, straps, circles, bias cuts, pieces
+// cut twice, names with sizes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/propose.h"
+#include "core/pattern/seams/upper_ends.h"
+#include "tests/core/pattern/garments.h"
+#include "tests/core/pattern/seams/worn_seams.h"
+
+namespace toile {
+namespace {
+
+using garments::mirrored;
+using garments::piece;
+using garments::strip;
+using test::WornSeams;
+
+constexpr double kPi = std::numbers::pi;
+
+pattern::Panel shirt(const std::string& name, double neck) {
+  return garments::bodice(name, {250, 0}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600},
+                          {70, 640, Vec2{60, neck}});
+}
+
+pattern::Panel sleeve(const std::string& name, double half_hem) {
+  return piece(name, {{-half_hem, 0},
+                      {half_hem, 0},
+                      {185, 420, Vec2{90, 430}, Vec2{90, 560}},
+                      {0, 560, Vec2{-90, 560}, Vec2{-90, 430}},
+                      {-185, 420}});
+}
+
+TEST(Offices, ANeckBindingThatIsCutAlongItsGrainIsClosedAndStretchedOntoTheNeck) {
+  pattern::Panel band = strip("Neckband", 330, 32);
+  band.grain = {1, 0};
+  const pattern::Panel arm = sleeve("Sleeve", 110);
+  const WornSeams worn({shirt("Front", 520), shirt("Back", 600), arm, mirrored(arm, "Sleeve_2"), band});
+  EXPECT_TRUE(worn.has({"Neckband.e1"}, {"Neckband.e3"})) << worn.text();
+  EXPECT_TRUE(worn.has({"Front.e4", "Back.e4"}, {"Neckband.e2"}) ||
+              worn.has({"Front.e4", "Back.e4"}, {"Neckband.e0"}))
+      << worn.text();
+}
+
+TEST(Offices, AStripIsNeverSewnToAHose) {
+  const pattern::Panel other = strip("binding piece", 420, 30);
+  const WornSeams worn({shirt("Front", 520), shirt("Back", 600), other});
+  EXPECT_FALSE(worn.has({"binding piece.e0"}, {"binding piece.e2"})) << worn.text();
+  const seams::SeamModel m = seams::make_seam_model({{strip("any", 420, 30)}, {}});
+  EXPECT_FALSE(m.runs.empty());
+}
+
+/// Sleeves are cut on; edges: hem, side and lower arm, wrist, upper arm, neck, …
+pattern::Panel batwing(const std::string& name, double neck) {
+  return piece(name, {{-290, 0},
+                      {290, 0, Vec2{290, 330}, Vec2{480, 330}},
+                      {730, 240},
+                      {780, 345},
+                      {100, 610, Vec2{60, neck}, Vec2{-60, neck}},
+                      {-100, 610},
+                      {-780, 345},
+                      {-730, 240, Vec2{-480, 330}, Vec2{-290, 330}}});
+}
+
+std::vector<pattern::Panel> batwing_with_ribs() {
+  const pattern::Panel cuff = strip("Cuff", 185, 160);
+  return {batwing("Front", 470), batwing("Back", 560), strip("Rib hem", 905, 140), cuff,
+          mirrored(cuff, "Cuff_mirrored")};
+}
+
+TEST(Offices, ABatwingHasSidesThatSweepToItsWristsAndCuffsThere) {
+  const WornSeams worn(batwing_with_ribs());
+  EXPECT_TRUE(worn.has({"Front.e1"}, {"Back.e7"})) << worn.text();
+  EXPECT_TRUE(worn.has({"Front.e3"}, {"Back.e5"})) << worn.text();
+  EXPECT_TRUE(worn.takes("Front.e2") && worn.takes("Back.e6")) << "the wrist, at a cuff\n" << worn.text();
+  EXPECT_TRUE(worn.has({"Front.e0", "Back.e0"}, {"Rib hem.e2"})) << worn.text();
+}
+
+TEST(Offices, ABatwingsNeckTellsItsUpperEnd) {
+  std::vector<pattern::Panel> panels = batwing_with_ribs();
+  for (pattern::Panel& panel : panels) panel = garments::turned(panel, kPi);
+  for (std::size_t p = 0; p < 2; ++p) panels[p].grain = {0, 1};  // against what is up
+  const std::vector<Vec2> up = seams::grains_upwards(panels);
+  EXPECT_LT(up[0].y, -0.9);
+  EXPECT_LT(up[1].y, -0.9);
+}
+
+/// A ring's half from its waist to its hem; edges: side, waist, side, hem.
+pattern::Panel half_circle(const std::string& name) {
+  const double waist = 105, hem = 640, k = 0.5523;
+  pattern::Panel half = piece(name, {{-hem, 0}, {-waist, 0}, {0, waist}, {waist, 0}, {hem, 0}, {0, hem}});
+  const auto arc = [&](std::size_t e, double x0, double y0, double x1, double y1) {
+    const Vec2 a{x0, y0}, b{x1, y1};
+    const Vec2 ta = normalized(b - a * (dot(a, b) / dot(a, a))),
+               tb = normalized(a - b * (dot(a, b) / dot(b, b)));
+    half.outline.edges[e].curves = {{a, a + ta * (k * length(a)), b + tb * (k * length(b)), b}};
+  };
+  arc(1, -waist, 0, 0, waist);
+  arc(2, 0, waist, waist, 0);
+  arc(4, hem, 0, 0, hem);
+  arc(5, 0, hem, -hem, 0);
+  // One edge each for waist and hem.
+  auto& e = half.outline.edges;
+  e[1].curves.push_back(e[2].curves[0]);
+  e[4].curves.push_back(e[5].curves[0]);
+  e.erase(e.begin() + 5);
+  e.erase(e.begin() + 2);
+  for (std::size_t i = 0; i < e.size(); ++i) e[i].id = "e" + std::to_string(i);
+  half.outline = pattern::reversed(half.outline);
+  for (std::size_t i = 0; i < e.size(); ++i) half.outline.edges[i].id = "e" + std::to_string(i);
+  half = garments::turned(half, kPi);
+  half.grain = {0, 1};
+  return half;
+}
+
+TEST(Offices, HalvesOfACircleBelowAWaistbandAreASkirtAndNoCape) {
+  const pattern::Panel front = half_circle("Front");
+  const WornSeams worn({front, half_circle("Back"), strip("Waistband", 680, 40)});
+  const auto waist = [&](const char* name) {
+    for (int e = 0; e < 4; ++e) {
+      const double l = garments::length_of(front, e);
+      if (l > 300 && l < 400) return std::string(name) + ".e" + std::to_string(e);
+    }
+    return std::string();
+  };
+  EXPECT_TRUE(worn.takes(waist("Front")) && worn.takes(waist("Back"))) << worn.text();
+  EXPECT_TRUE(worn.has({"Waistband.e1"}, {"Waistband.e3"})) << worn.text();
+}
+
+/// Edges: hem, inner leg, crotch, waist, pocket's corner, side.
+pattern::Panel pocketed_leg(const std::string& name, double crotch, double back) {
+  return piece(name, {{25, 0},
+                      {225, 0, Vec2{228, 300}, Vec2{245, 600}},
+                      {250 + crotch, 740, Vec2{250 + crotch * 0.4, 755}, Vec2{254, 810}},
+                      {250, 975 + back},
+                      {65, 971 + back},
+                      {15, 820 + back, Vec2{-5, 700}, Vec2{-5, 300}}});
+}
+
+TEST(Offices, LegsWhoseSidesArePartedAtAPocketAreLegs) {
+  const pattern::Panel front = pocketed_leg("Front", 50, 0), back = pocketed_leg("Back", 110, 5);
+  const WornSeams worn(
+      {front, mirrored(front, "Front_2"), back, mirrored(back, "Back_2"), strip("Waistband", 740, 40)});
+  EXPECT_TRUE(worn.has({"Front.e2"}, {"Front_2.e2"})) << worn.text();
+  EXPECT_TRUE(worn.has({"Back.e2"}, {"Back_2.e2"})) << worn.text();
+  EXPECT_FALSE(worn.has({"Back.e5"}, {"Back_2.e5"})) << worn.text();
+  const seams::SeamModel m = seams::make_seam_model(
+      {{front, mirrored(front, "Front_2"), back, mirrored(back, "Back_2"), strip("Waistband", 740, 40)}, {}});
+  EXPECT_TRUE(m.words[0].leg);
+  EXPECT_EQ(m.crotch_side[0], 1);
+  EXPECT_EQ(m.crotch_side[1], -1);
+}
+
+TEST(Offices, TheStraightEdgeOfAHoodIsAroundTheFace) {
+  const pattern::Panel half =
+      piece("hood", {{0, 0}, {210, 0}, {210, 336, Vec2{150, 420}, Vec2{-90, 420}}, {-60, 220}});
+  const seams::SeamModel m = seams::make_seam_model({{half, mirrored(half, "hood_mirrored")}, {}});
+  ASSERT_EQ(m.words[0].kind, seams::PieceKind::kHood);
+  const WornSeams worn({shirt("Front", 520), shirt("Back", 600), half, mirrored(half, "hood_mirrored")});
+  EXPECT_TRUE(worn.has({"hood.e2"}, {"hood_mirrored.e2"}) ||
+              worn.has({"hood.e2", "hood.e3"}, {"hood_mirrored.e2", "hood_mirrored.e3"}))
+      << worn.text();
+  EXPECT_FALSE(worn.has({"hood.e1"}, {"hood_mirrored.e1"})) << worn.text();
+}
+
+TEST(Offices, ANumberThatEndsOneNameAloneIsASizeAndNoRow) {
+  const pattern::Panel arm = sleeve("SLV-2", 110);
+  const seams::SeamModel m = seams::make_seam_model({{arm, mirrored(arm, "SLV-2_mirrored")}, {}});
+  EXPECT_EQ(m.twin[0], 1);
+}
+
+TEST(Offices, WhatIsCutTwiceForOneFaceOrSideLiesOnItself) {
+  const pattern::Panel bib = piece("Bib", {{-160, 0}, {160, 0}, {90, 260}, {-90, 260}});
+  pattern::Panel second = bib;
+  second.id = "Bib_mirrored";
+  const auto layers = [](std::vector<pattern::Panel> panels) {
+    std::vector<bool> is;
+    for (const seams::PieceWords& w : seams::make_seam_model({std::move(panels), {}}).words)
+      is.push_back(w.layer);
+    return is;
+  };
+  EXPECT_EQ(layers({bib, second, shirt("Back", 600)}), (std::vector{false, true, false}));
+  EXPECT_EQ(layers({bib, second}), (std::vector{false, false})) << "front and back may be one piece";
+  const pattern::Panel left = strip("Waistband left", 420, 40);
+  EXPECT_EQ(layers({left, mirrored(left, "Waistband left_mirrored")}), (std::vector{false, true}));
+}
+
+TEST(Offices, ABiasCutDressStandsOnItsMiddle) {
+  const auto slip = [](const std::string& name, double top) {
+    pattern::Panel p = piece(name, {{-300, 0},
+                                    {300, 0},
+                                    {230, 800, Vec2{150, 820}},
+                                    {100, top, Vec2{0, top - 110}},
+                                    {-100, top, Vec2{-150, 820}},
+                                    {-230, 800}});
+    p = garments::turned(p, kPi / 4);
+    p.grain = {0, 1};
+    return p;
+  };
+  const pattern::Pattern pattern{{slip("Front", 960), slip("Back", 900)}, {}};
+  const seams::SeamModel m = seams::make_seam_model(pattern);
+  EXPECT_NEAR(dot(m.up[0], normalized(Vec2{-1, 1})), 1, 1e-6);
+  const pattern::Panel strap = strip("Strap", 400, 16);
+  const WornSeams worn({pattern.panels[0], pattern.panels[1], strap, mirrored(strap, "Strap_2")});
+  EXPECT_TRUE(worn.has({"Front.e1"}, {"Back.e5"})) << worn.text();
+  EXPECT_TRUE(worn.has({"Strap.e1"}, {"Front.e3"}) || worn.has({"Strap.e1"}, {"Front.e4"})) << worn.text();
+  EXPECT_FALSE(worn.has({"Front.e3"}, {"Back.e3"})) << "the neck";
+}
+
+/// A skirt with a bib in front and a band behind.
+std::vector<pattern::Panel> pinafore() {
+  const pattern::Panel strap = strip("Strap", 600, 40);
+  std::vector<pattern::Panel> panels{
+      piece("Skirt front", {{0, 0}, {620, 0}, {510, 510}, {110, 510}}),
+      piece("Skirt back", {{0, 0}, {620, 0}, {505, 510}, {115, 510}}),
+      piece("Bib",
+            {{0, 0}, {400, 0}, {400, 50, Vec2{320, 80}}, {310, 260}, {90, 260, Vec2{80, 80}}, {0, 50}}),
+      strip("Waistband back", 390, 50),
+      strap,
+      mirrored(strap, "Strap_2")};
+  for (const double x : {130.0, 260.0}) panels[3].notches.push_back({{x, 50}, 0, {0, -1}});
+  return panels;
+}
+
+TEST(Offices, StrapsAreSewnOntoABibsCornersAndAtNotchesBehind) {
+  const WornSeams worn(pinafore());
+  const auto [front_from, front_to] = worn.part("Bib.e3", "Strap.e1");
+  EXPECT_NEAR((front_to - front_from) * 220, 40, 0.5) << worn.text();
+  EXPECT_NEAR(std::min(front_from, 1 - front_to), 0, 1e-6) << "at a corner";
+  const auto [back_from, back_to] = worn.part("Waistband back.e2", "Strap.e3");
+  EXPECT_NEAR(std::abs((back_from + back_to) / 2 - 0.5) * 390, 65, 0.5) << "at a notch\n" << worn.text();
+  // Seen from outside the wearer's left is a front's right half and a back's left one; both edges run
+  // leftwards.
+  EXPECT_TRUE((front_from < 0.5) != (back_from < 0.5)) << "over one shoulder";
+}
+
+TEST(Offices, WithoutANotchStrapsAreSewnOnAtAQuarterOfTheEdge) {
+  std::vector<pattern::Panel> panels = pinafore();
+  panels[3].notches.clear();
+  const WornSeams worn(panels);
+  const auto [from, to] = worn.part("Waistband back.e2", "Strap.e3");
+  EXPECT_NEAR(std::abs((from + to) / 2 - 0.5), 0.25, 1e-3) << worn.text();
+}
+
+TEST(Offices, BeltsAreNoStraps) {
+  std::vector<pattern::Panel> panels = pinafore();
+  panels[4].id = "Belt";
+  panels[5].id = "Belt_2";
+  const WornSeams worn(panels);
+  for (const char* end : {"Belt.e1", "Belt.e3", "Belt_2.e1", "Belt_2.e3"})
+    EXPECT_FALSE(worn.takes(end)) << end;
+}
+
+TEST(Offices, ARibIsClosedSoThatAHandPasses) {
+  pattern::Panel cuff = strip("Cuff", 180, 140);
+  cuff.grain = {1, 0};
+  const pattern::Panel arm = sleeve("Sleeve", 120);
+  const WornSeams worn({shirt("Front", 520), shirt("Back", 600), arm, mirrored(arm, "Sleeve_2"), cuff,
+                        mirrored(cuff, "Cuff_2")});
+  EXPECT_TRUE(worn.has({"Cuff.e1"}, {"Cuff.e3"})) << worn.text();
+}
+
+TEST(Offices, WhatIsGatheredHangsFromItsYoke) {
+  const auto body = [](const std::string& name, double top) {
+    return piece(name, {{-310, 0},
+                        {310, 0},
+                        {280, 320, Vec2{230, 330}, Vec2{220, 400}},
+                        {top / 2, 470},
+                        {-top / 2, 470, Vec2{-220, 400}, Vec2{-230, 330}},
+                        {-280, 320}});
+  };
+  const pattern::Panel yoke =
+      piece("Back yoke", {{-160, 0}, {160, 0}, {175, 80}, {70, 110, Vec2{0, 90}}, {-70, 110}, {-175, 80}});
+  const seams::SeamModel m = seams::make_seam_model({{body("Front", 430), body("Back body", 420), yoke}, {}});
+  EXPECT_EQ(seams::hangs_from(m, 1, 2), 1);
+  EXPECT_EQ(seams::hangs_from(m, 2, 1), -1);
+  EXPECT_EQ(seams::hangs_from(m, 0, 2), -1) << "a front from the back's yoke";
+}
+
+}  // namespace
+}  // namespace toile
