@@ -151,7 +151,7 @@ bool mirrors_itself(const SeamModel& m, Index panel) {
     }
   }
   const Vec2 size = high - low;
-  const bool wide = size.x > size.y;
+  const bool wide = size.x > size.y || m.words[panel].kind == PieceKind::kTorso;
   const double most = kNear * std::max(size.x, size.y);
   return std::all_of(points.begin(), points.end(), [&](Vec2 p) {
     const Vec2 image = wide ? Vec2{low.x + high.x - p.x, p.y} : Vec2{p.x, low.y + high.y - p.y};

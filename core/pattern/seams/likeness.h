@@ -12,8 +12,8 @@ bool equally_long(double a, double b);
 /// The panel's runs.
 std::vector<Index> runs_of(const SeamModel& m, Index panel);
 
-/// Whether the piece turned over across its length is the piece itself, but for a button stand. REQUIRES the
-/// model's runs and `up`.
+/// Whether the piece turned over across its length, of a trunk across its grain, is the piece itself, but for
+/// a button stand. REQUIRES the model's runs and `up`.
 bool mirrors_itself(const SeamModel& m, Index panel);
 
 /// `twin`, and `mirror_panel` and `mirror_edge` of runs: pieces whose names say left and right go first, then
