@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/pattern/seams/piece_language.h"
+#include "core/pattern/seams/piece_terms.h"
 #include "core/pattern/seams/piece_words.h"
 
 namespace toile {
@@ -73,7 +75,49 @@ TEST(PieceLanguage, WhatDraftingProgramsShortenIsUnderstood) {
   EXPECT_EQ(seams::words_of("TIER 2").kind, PieceKind::kSkirt);
 }
 
+TEST(PieceLanguage, FrontsAndBacksAreKnownInManyLanguages) {
+  for (const char* front : {"PRET DEL", "Delantero", "Voorpijp", "prz\u00f3d", "\u00d6N", "\u00d6n beden",
+                            "framstycke", "p\u0159edn\u00ed d\u00edl", "\u041f\u0435\u0440\u0435\u0434",
+                            "etukappale", "\u524d\u7247", "\u524d\u8eab\u9803"})
+    EXPECT_EQ(seams::words_of(front).face, 1) << front;
+  for (const char* back : {"POST", "Rugstuk", "ty\u0142", "arka", "bakstycke", "zadn\u00ed d\u00edl",
+                           "\u0421\u043f\u0438\u043d\u043a\u0430", "\u540e\u7247"})
+    EXPECT_EQ(seams::words_of(back).face, -1) << back;
+  EXPECT_EQ(seams::words_of("cut on fold").face, 0) << "of English, no front of Turkish";
+  EXPECT_EQ(seams::words_of("cuello del vestido").face, 0) << "an article";
+}
+
+TEST(PieceLanguage, KindsAreKnownInManyLanguages) {
+  for (const char* band : {"PRET POST", "Kemer", "\u8170\u5934", "linning", "\u043f\u043e\u044f\u0441"})
+    EXPECT_EQ(seams::words_of(band).kind, PieceKind::kBand) << band;
+  for (const char* sleeve : {"kol", "\u00e6rme", "\u0440\u0443\u043a\u0430\u0432", "\u8896", "hiha"})
+    EXPECT_EQ(seams::words_of(sleeve).kind, PieceKind::kSleeve) << sleeve;
+  for (const char* neck : {"BORDO SCOLLO", "yaka", "limec", "\u9886\u5b50", "RIB NECK"})
+    EXPECT_EQ(seams::words_of(neck).kind, PieceKind::kCollar) << neck;
+  for (const char* layer :
+       {"borstzak", "Zakvoering", "Riemlus", "cep", "kiesze\u0144", "\u53e3\u888b", "ARM BIND"})
+    EXPECT_TRUE(seams::words_of(layer).layer) << layer;
+  EXPECT_TRUE(seams::words_of("RIB HEM").hem_band);
+  EXPECT_TRUE(seams::words_of("barra").hem_band);
+  EXPECT_TRUE(seams::words_of("Schouderband").over_shoulder);
+  EXPECT_FALSE(seams::words_of("ceintuur").over_shoulder) << "a belt";
+  EXPECT_TRUE(seams::words_of("spodnie ty\u0142").leg);
+}
+
+TEST(PieceLanguage, NoSignHidesALongerOne) {
+  for (const seams::PieceTerm& sign : seams::sign_terms()) {
+    EXPECT_FALSE(sign.english.empty());
+    // A shorter sign before a longer one that holds it would hide it.
+    for (const seams::PieceTerm& later : seams::sign_terms()) {
+      if (&later <= &sign) continue;
+      EXPECT_EQ(later.theirs.find(sign.theirs), std::string_view::npos) << later.theirs;
+    }
+  }
+}
+
 TEST(PieceLanguage, BytesThatAreNoTextDoNoHarm) {
+  EXPECT_EQ(words_of_piece("\xd0"), Words{});
+
   EXPECT_EQ(words_of_piece("\xc3"), Words{});
   EXPECT_EQ(words_of_piece("\xff\xc5sleeve\xc3\x28"), (Words{"sleeve"}));
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/model.h"
 #include "core/pattern/seams/propose.h"
 #include "core/pattern/seams/upper_ends.h"
@@ -50,11 +51,10 @@ TEST(Offices, ANeckBindingThatIsCutAlongItsGrainIsClosedAndStretchedOntoTheNeck)
 }
 
 TEST(Offices, AStripIsNeverSewnToAHose) {
-  const pattern::Panel other = strip("binding piece", 420, 30);
-  const WornSeams worn({shirt("Front", 520), shirt("Back", 600), other});
-  EXPECT_FALSE(worn.has({"binding piece.e0"}, {"binding piece.e2"})) << worn.text();
-  const seams::SeamModel m = seams::make_seam_model({{strip("any", 420, 30)}, {}});
-  EXPECT_FALSE(m.runs.empty());
+  const seams::SeamModel m = seams::make_seam_model({{strip("any", 420, 30), strip("sheet", 420, 300)}, {}});
+  EXPECT_TRUE(seams::never_sewn(m, 0, 2));
+  EXPECT_FALSE(seams::never_sewn(m, 1, 3)) << "a ring";
+  EXPECT_FALSE(seams::never_sewn(m, 4, 6)) << "as wide as a sleeve";
 }
 
 /// Sleeves are cut on; edges: hem, side and lower arm, wrist, upper arm, neck, …
