@@ -346,8 +346,9 @@ int hangs_from(const SeamModel& m, Index lower, Index upper) {
   const bool other_limb =
       x.kind != kOther && y.kind != kOther && x.limb && (y.limb || y.leg) && x.leg != y.leg;
   if (m.cut_on && x.kind == kCuff && y.kind == kTorso) return 1;
-  const bool on_yoke = x.kind == kTorso && y.kind == kTorso && y.yoke && !x.yoke && x.face * y.face >= 0;
-  if (on_yoke && x.side * y.side >= 0) return 1;
+  const bool on_yoke = x.kind == kTorso && y.kind == kTorso && y.yoke && !x.yoke && x.face * y.face > 0 &&
+                       x.side * y.side >= 0;
+  if (on_yoke) return 1;
   const bool past_level = m.level[lower] != (x.kind == y.kind ? m.level[upper] + 1 : 0);
   if (x.kind == y.kind && !past_level) return hangs_from(x.kind, y.kind);
   return past_band || past_cuff || other_limb || (x.kind == PieceKind::kSkirt && past_level)
@@ -361,7 +362,9 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
     model.words.push_back(words_of(pattern.panels[p].id));
     const PieceWords& words = model.words.back();
     const bool half_cuff = words.kind == PieceKind::kCuff && words.face != 0;
-    const bool band = words.hem_band || (words.stand && words.kind == PieceKind::kCollar);
+    const bool strip = pattern.panels[p].outline.edges.size() == 4;  // a collar's stand has a shape
+    const bool neckband = words.stand && words.kind == PieceKind::kCollar && strip;
+    const bool band = words.hem_band || neckband;
     model.up.push_back(up_of(pattern.panels[p], band        ? PieceKind::kBand
                                                 : half_cuff ? PieceKind::kOther
                                                             : words.kind));

@@ -15,6 +15,7 @@
 #include "core/pattern/seams/confidence.h"
 #include "core/pattern/seams/lines.h"
 #include "core/pattern/seams/mirror_images.h"
+#include "core/pattern/seams/runs_to_edges.h"
 #include "core/pattern/seams/search.h"
 #include "core/pattern/seams/second_layers.h"
 #include "core/pattern/seams/sleeve_head.h"
@@ -44,24 +45,6 @@ void sort_sewn(const pattern::Pattern& pattern, std::vector<std::array<Index, 2>
   }
 }
 
-/// The edges of one side, parts of one edge put together again.
-std::vector<pattern::SeamEdge> series_of(const FoundSeams& found, const std::vector<Index>& runs,
-                                         double& length) {
-  std::vector<pattern::SeamEdge> series;
-  for (const Index r : runs) {
-    const SeamRun& run = found.model.runs[r];
-    length += run.length;
-    pattern::SeamEdge* const last = series.empty() ? nullptr : &series.back();
-    if (last != nullptr && last->panel == run.panel && last->edge == run.edge) {
-      last->from = std::min(last->from, run.from);
-      last->to = std::max(last->to, run.to);
-      continue;
-    }
-    series.push_back({run.panel, run.edge, found.gluing.turned[run.panel] != 0, run.from, run.to});
-  }
-  return series;
-}
-
 /// The seam in parts, as many as there are places where an edge ends on both sides.
 std::vector<FoundSeam> parts_of(const FoundSeams& found, const FoundSeam& seam) {
   const auto ends = [&](Index r, Index next) {
@@ -80,9 +63,9 @@ std::vector<FoundSeam> parts_of(const FoundSeams& found, const FoundSeam& seam) 
 
 SeamProposal proposal_of(const FoundSeams& found, const FoundSeam& seam, double belief) {
   SeamProposal p;
-  p.seam.a = series_of(found, seam.a, p.length_a);
+  p.seam.a = edges_of_runs(found, seam.a, p.length_a);
   std::vector<Index> other(seam.b.rbegin(), seam.b.rend());  // walked with the cloth at the left, too
-  p.seam.b = series_of(found, other, p.length_b);
+  p.seam.b = edges_of_runs(found, other, p.length_b);
   say_plainly(p.seam);
   p.confidence = confidence_of(found, seam, p.length_a, p.length_b) * belief;
   return p;
@@ -211,7 +194,8 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
   const double belief = belief_in(found, settings.sides_known);
   std::vector<Index> rings;
   for (const FoundSeam& seam : found.seams)
-    for (const FoundSeam& part : parts_of(found, seam)) {
+    for (const FoundSeam& part :
+         parts_of(found, goes_around(found, seam) ? begun_at_an_end(found, seam) : seam)) {
       SeamProposal proposal = proposal_of(found, part, belief);
       name_edges(lines, pattern, proposal.seam);
       std::vector<SeamProposal> parts = parted(pattern, std::move(proposal));
