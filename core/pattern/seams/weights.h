@@ -20,8 +20,10 @@
 // which are well worn since; of eleven others one is; those for eased shoulders and for caps as long as hems
 // on two of these in other sizes, those for the ends of armholes, hems, yokes and stands on six in nine
 // sizes; those for flanks, gores and hems that are as long as necks on twelve garments that another hand
-// drafted, of which 10 are worn since (5 before), and 8 of twelve others (7). What is changed here is to be
-// scored again on all of them, the two halves told apart.
+// drafted, of which 10 are worn since (5 before), and 8 of twelve others (7); those for strips, bias cuts,
+// batwings, circles, parted sides of legs, bibs and strap places on twelve more of such garments, of which 7
+// are worn since (2 before), and 3 of twelve others (2). What is changed here is to be scored again on all of
+// them, the two halves told apart.
 
 #include <cstddef>
 
