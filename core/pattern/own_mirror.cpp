@@ -1,6 +1,9 @@
 #include "core/pattern/own_mirror.h"
 
 #include <cmath>
+#include <cstddef>
+
+#include "core/pattern/curve.h"
 
 namespace toile::pattern {
 

@@ -208,18 +208,21 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
   return proposals;
 }
 
-/// ProposalSettings::clockwise without what tells nothing: a band looks the same from both sides, and is sewn
-/// with its right side out, as most of the other pieces are.
+/// ProposalSettings::clockwise without what tells nothing: a band looks the same from both sides, and where
+/// all pieces that do not are drawn one way, or most where none does, it is sewn with its right side out as
+/// they are.
 std::vector<char> telling_windings(const pattern::Pattern& pattern, std::vector<char> clockwise) {
   std::vector<std::size_t> alike;
-  int most = 0;
+  std::array<std::size_t, 2> others{}, all{};
   for (std::size_t p = 0; p < clockwise.size(); ++p) {
-    if (pattern::is_own_mirror(pattern.panels[p].outline))
-      alike.push_back(p);
-    else
-      most += clockwise[p] ? 1 : -1;
+    const bool is_alike = pattern::is_own_mirror(pattern.panels[p].outline);
+    if (is_alike) alike.push_back(p);
+    ++all[clockwise[p] != 0];
+    others[clockwise[p] != 0] += is_alike ? 0 : 1;
   }
-  for (const std::size_t p : alike) clockwise[p] = most > 0;
+  const bool any = others[0] + others[1] > 0;
+  if (any ? std::min(others[0], others[1]) > 0 : all[0] == all[1]) return clockwise;
+  for (const std::size_t p : alike) clockwise[p] = any ? others[1] > 0 : all[1] > all[0];
   return clockwise;
 }
 

@@ -73,6 +73,21 @@ TEST(PlainGarments, ABandShowsItsRightSideWhicheverWayItsOutlineIsDrawn) {
       {front, mirrored(front, "Front_2"), back, mirrored(back, "Back_2"), strip("Waistband", 740, 40)}, {}};
   EXPECT_FALSE(any_shows_its_wrong_side(seams::propose_seams(pattern, {false, {0, 0, 0, 0, 1}})));
   EXPECT_FALSE(any_shows_its_wrong_side(seams::propose_seams(pattern, {false, {1, 1, 1, 1, 0}})));
+  const pattern::Pattern skirt{
+      {piece("Front", {{0, 0}, {560, 0}, {475, 600}, {85, 600}}),
+       piece("Back", {{0, 0}, {560, 0}, {475, 600}, {85, 600}}), strip("Waistband", 780, 40)},
+      {}};
+  EXPECT_FALSE(any_shows_its_wrong_side(seams::propose_seams(skirt, {false, {0, 0, 1}})));
+}
+
+TEST(PlainGarments, WindingsCountWhereOtherPiecesAreDrawnBothWays) {
+  const pattern::Panel front = half_leg("Front", 50, 0), back = half_leg("Back", 110, 5);
+  const pattern::Pattern pattern{
+      {front, mirrored(front, "Front_2"), mirrored(back, "Back"), mirrored(mirrored(back, "Back"), "Back_2"),
+       strip("Front band", 370, 40), strip("Back band", 370, 40)},
+      {}};
+  EXPECT_TRUE(any_shows_its_wrong_side(seams::propose_seams(pattern, {false, {0, 0, 1, 1, 0, 1}})))
+      << "the back's pieces are drawn from their wrong sides";
 }
 
 /// Edges: hem, side, raglan line, neck, raglan line, side.
