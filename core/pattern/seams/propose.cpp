@@ -194,8 +194,7 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
   const double belief = belief_in(found, settings.sides_known);
   std::vector<Index> rings;
   for (const FoundSeam& seam : found.seams)
-    for (const FoundSeam& part :
-         parts_of(found, goes_around(found, seam) ? begun_at_an_end(found, seam) : seam)) {
+    for (const FoundSeam& part : parts_of(found, begun_at_an_end(found, seam, goes_around(found, seam)))) {
       SeamProposal proposal = proposal_of(found, part, belief);
       name_edges(lines, pattern, proposal.seam);
       std::vector<SeamProposal> parts = parted(pattern, std::move(proposal));

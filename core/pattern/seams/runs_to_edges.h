@@ -13,8 +13,9 @@ namespace toile::seams {
 std::vector<pattern::SeamEdge> edges_of_runs(const FoundSeams& found, const std::vector<Index>& runs,
                                              double& length);
 
-/// A seam all around whose start lies within an edge that is sewn to several, from that edge's end instead: a
-/// cap is set in from under the arm, wherever the search began.
-FoundSeam begun_at_an_end(const FoundSeams& found, FoundSeam seam);
+/// A seam of one whole edge to several, with that edge walked from its end; `around`: both sides are rings,
+/// and the other one begins where it goes on along another edge, that of a sleeve under the arm. A cap is set
+/// in from there, wherever the search began to walk. Others stay.
+FoundSeam begun_at_an_end(const FoundSeams& found, FoundSeam seam, bool around);
 
 }  // namespace toile::seams
