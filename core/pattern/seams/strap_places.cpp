@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/pattern/seams/accept.h"
-#include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/model.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/seams/shapes.h"
@@ -92,7 +91,7 @@ class StrapPlaces {
     return words.face == face && !words.layer && !words.limb && words.kind != kStrap && words.kind != kLegs;
   }
 
-  /// mm along the grain of the highest point of all of the face's pieces that hold straps.
+  /// mm along the piece's grain, of its highest point.
   double top_of(Index panel) const {
     double top = -HUGE_VAL;
     for (Index r = first_[panel]; r < first_[panel + 1]; ++r)
@@ -100,7 +99,7 @@ class StrapPlaces {
     return top;
   }
 
-  /// A free place on the run, `width` wide: at its end or its start.
+  /// A place on the run, `width` wide at most: at its end or its start.
   StrapPlace at_end(Index r, bool end, double width) const {
     const SeamRun& run = model_.runs[r];
     const double length = run.length, most = std::min(width, length);
