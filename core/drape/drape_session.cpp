@@ -28,6 +28,10 @@ constexpr double kViscosity = 20;  // 1/s
 constexpr double kFormTime = 0.5;  // s
 /// Cloth is at rest at the soonest this long after sewing: all forces are in, and it was watched under them.
 constexpr double kSoonestRest = std::max(kGravityRamp, kFormTime) + 0.2;  // s
+/// What only its elastic holds would be on the floor before that has gathered it: gravity waits so long.
+double gathering_time(const DrapeInput& input) {
+  return input.notions.elastics.empty() || !input.attachments.empty() ? 0 : kFormTime;
+}
 /// Seams this close are shut.
 constexpr double kSeamShut = 0.3e-3;  // m
 /// Threads have this much longer than sew_time before a seam counts as stalled, or until nothing moves.
@@ -108,7 +112,7 @@ Status DrapeSession::go_on_from(const warm::HungGarment& before, const mesh::Pan
   solver_->set_stitches(stitches_now());
   if (start.widest > kSeamLost) return {};  // seams close first, as at every start
   phase_ = Phase::kDrape;
-  phase_start_ = -std::max(kGravityRamp, kFormTime);  // all forces are in
+  phase_start_ = -gathering_time(input_) - std::max(kGravityRamp, kFormTime);  // all forces are in
   return {};
 }
 
@@ -196,7 +200,9 @@ solver::ClothFeatures DrapeSession::features_now() const {
 
 bool DrapeSession::dynamic() const { return input_.settings.mode == DrapeMode::kDynamic; }
 
-double DrapeSession::time_of_full_gravity() const { return phase_start_ + (dynamic() ? 0 : kGravityRamp); }
+double DrapeSession::time_of_full_gravity() const {
+  return phase_start_ + (dynamic() ? 0 : gathering_time(input_) + kGravityRamp);
+}
 
 solver::StepForces DrapeSession::forces_now() const {
   solver::StepForces forces;
@@ -220,7 +226,8 @@ solver::StepForces DrapeSession::forces_now() const {
     forces.damping = 0;
     return forces;
   }
-  forces.gravity = input_.settings.gravity * std::min(1.0, since / kGravityRamp);
+  forces.gravity =
+      input_.settings.gravity * std::clamp((since - gathering_time(input_)) / kGravityRamp, 0.0, 1.0);
   forces.damping = watch_.damping();
   forces.viscosity = solver::constraints::viscous_share(kViscosity, input_.settings.time_step, steps_);
   return forces;
@@ -345,8 +352,8 @@ void DrapeSession::settle_or_stop() {
   if (dynamic() && time_ >= time_of_full_gravity() && begins_to_move()) return;
   const bool out_of_time = time_ >= begun_ + input_.settings.max_time && !waits_for_hands();
   const double calm = is_let_go_first() && !out_of_time ? kSeemingCalm : 1;  // no time is left to let it go
-  const bool may_rest =
-      input_.settings.until_settled && !holding && time_ >= phase_start_ + kSoonestRest && lies_still(calm);
+  const bool may_rest = input_.settings.until_settled && !holding &&
+                        time_ >= phase_start_ + gathering_time(input_) + kSoonestRest && lies_still(calm);
   if (probe_.on()) {
     if (stays_when_let_go()) return begins_to_move() ? void() : end(stop_at_rest());
   } else if (may_rest && (out_of_time || nothing_closes())) {
@@ -416,7 +423,7 @@ void DrapeSession::end(Stop kind) {
 }
 
 double shortest_drape(const DrapeInput& input) {
-  return (input.pattern.seams.empty() ? 0 : input.settings.sew_time) + kSoonestRest;
+  return (input.pattern.seams.empty() ? 0 : input.settings.sew_time) + gathering_time(input) + kSoonestRest;
 }
 
 double longest_sewing(const DrapeSettings& settings) {

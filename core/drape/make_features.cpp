@@ -37,6 +37,9 @@ std::vector<solver::constraints::PointTie> ties_of(const DrapeInput& input, cons
   return ties;
 }
 
+/// Edges of cloth that make a fold at least.
+constexpr std::size_t kGathered = 4;
+
 std::vector<solver::constraints::ElasticSegment> elastics_of(const DrapeInput& input,
                                                              const sewing::Assembly& assembly,
                                                              std::span<const Index> vertex_of) {
@@ -44,9 +47,15 @@ std::vector<solver::constraints::ElasticSegment> elastics_of(const DrapeInput& i
   for (std::size_t i = 0; i < input.notions.elastics.size(); ++i) {
     const sewing::Elastic& elastic = input.notions.elastics[i];
     for (const std::vector<Index>& chain : assembly.notions.elastics[i]) {
-      for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
-        const Index v0 = vertex_of[chain[k]], v1 = vertex_of[chain[k + 1]];
-        const double flat = length(assembly.garment.rest[chain[k + 1]] - assembly.garment.rest[chain[k]]);
+      // Between a band's segments the cloth buckles: one edge alone cannot, and would have to be squeezed.
+      const std::size_t edges = chain.size() - 1, stride = elastic.factor < 1 ? kGathered : 1;
+      const std::size_t parts = std::max<std::size_t>(1, (edges + stride / 2) / stride);
+      for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t from = part * edges / parts, to = (part + 1) * edges / parts;
+        double flat = 0;
+        for (std::size_t k = from; k < to; ++k)
+          flat += length(assembly.garment.rest[chain[k + 1]] - assembly.garment.rest[chain[k]]);
+        const Index v0 = vertex_of[chain[from]], v1 = vertex_of[chain[to]];
         if (v0 != v1) segments.push_back({v0, v1, flat, elastic.factor * flat, elastic.stiffness});
       }
     }

@@ -74,6 +74,25 @@ std::size_t turning_alike(Points loop, std::size_t i, std::size_t step, double s
   return count;
 }
 
+/// Whether vertex i lies on a curve in samples: between the sharp corners before and after it the outline has
+/// many vertices, about evenly apart. However far they are, none of its chords is a line of its own.
+bool evenly_sampled(Points loop, std::size_t i, double sharp) {
+  constexpr std::size_t kSamples = 5;
+  constexpr double kEven = 1.6;  // times the shortest chord
+  const std::size_t n = loop.size();
+  std::size_t samples = 1;
+  double shortest = std::min(sides_of(loop, i)[0], sides_of(loop, i)[1]);
+  double longest = std::max(sides_of(loop, i)[0], sides_of(loop, i)[1]);
+  for (const std::size_t step : {std::size_t{1}, n - 1})
+    for (std::size_t k = (i + step) % n; k != i && vertex_turn(loop, k) <= sharp; k = (k + step) % n) {
+      const double chord = sides_of(loop, k)[step == 1 ? 1 : 0];
+      shortest = std::min(shortest, chord);
+      longest = std::max(longest, chord);
+      ++samples;
+    }
+  return samples >= kSamples && longest <= kEven * shortest;
+}
+
 /// Whether a straight line ends at vertex i, and the outline turns there far more than at the vertices beside
 /// it, but for sharp corners and one blunt corner more.
 bool ends_line(Points loop, std::size_t i, const OutlineSettings& settings) {
@@ -81,6 +100,7 @@ bool ends_line(Points loop, std::size_t i, const OutlineSettings& settings) {
   if (std::max(a, b) < kLine || std::min(a, b) < kShort) return false;
   if (vertex_turn(loop, i) < settings.blunt_corner_angle) return false;
   const double sharp = settings.corner_angle;
+  if (evenly_sampled(loop, i, sharp)) return false;
   return turning_alike(loop, i, 1, sharp) + turning_alike(loop, i, loop.size() - 1, sharp) <= 1;
 }
 

@@ -79,14 +79,14 @@ std::string take_annotation(DxfFound& found, const std::string& value, int line,
 
 /// Gives the piece what the statement says. What it tells in the report; empty: nothing for a piece.
 std::string take_statement(DxfFound& found, const DxfStatement& s, int line, DxfNotes& notes) {
-  if (s.key == "quantity" || s.key == "qty") return take_quantity(found, s.value, line, notes);
+  if (s.key == "quantity") return take_quantity(found, s.value, line, notes);
   if (s.key == "annotation") return take_annotation(found, s.value, line, notes);
   if (s.key == "size") return "size of the piece";
   if (s.key == "category") {
     found.piece.category = s.value;
     return "category";
   }
-  if (s.key == "material" || s.key == "fabric") {
+  if (s.key == "material") {
     found.piece.material = s.value;
     return "material";
   }

@@ -25,6 +25,16 @@ bool is_model_space(const DxfBlock& block) {
   return name == "*model_space" || name == "$model_space";
 }
 
+/// "cm" of "1 unit = 1 cm"; nothing of what is no such equation.
+std::optional<std::string> unit_of_scale(const std::string& value) {
+  const std::size_t equals = value.find('=');
+  if (equals == std::string::npos || lower_case(value.substr(0, equals)).find("unit") == std::string::npos)
+    return std::nullopt;
+  std::string_view right = trimmed(std::string_view(value).substr(equals + 1));
+  if (right.starts_with("1 ")) right.remove_prefix(2);
+  return std::string(trimmed(right));
+}
+
 /// Adds what the block's texts say of the whole drawing.
 void hear_style(const DxfBlock& block, DxfPlaces& out) {
   for (const DxfText& text : block.texts) {
@@ -35,12 +45,13 @@ void hear_style(const DxfBlock& block, DxfPlaces& out) {
       out.style.name = statement->value;
       told("name of the style");
     }
-    if (statement->key == "sample size" || statement->key == "base size") {
+    if (statement->key == "sample size") {
       out.style.sample_size = statement->value;
       told("sample size");
     }
-    if (statement->key == "units" || statement->key == "unit") {
-      out.style.units.push_back({statement->value, text.line});
+    const std::optional<std::string> scale = unit_of_scale(statement->value);
+    if (statement->key == "units" || scale) {
+      out.style.units.push_back({scale.value_or(statement->value), text.line});
       told("unit of the drawing");
     }
   }

@@ -37,8 +37,9 @@ struct UnitWeights {
   double decade_below = 5, decade_above = 12;  ///< … against each decade beyond; nobody wears 20 m, but a
                                                ///< collar may stand alone
   double narrowest = 150;  ///< mm, of the widest piece of three or more: bands are long, but something goes
-                           ///< over the body; against each decade below as above
-  double typical = 700;    ///< mm
+                           ///< over the body …
+  double decade_narrow = 10;  ///< … against each decade below
+  double typical = 700;       ///< mm
   double off_typical = 0.25;  ///< times the squared logarithm of the size over it, …
   double off_most = 2;        ///< … which counts up to this: a gentle preference within what is possible
 };
@@ -129,7 +130,7 @@ double widest_of(const std::vector<Vec2>& sizes) {
 
 double likelihood_of_width(double mm) {
   if (mm <= 0 || mm > kWeights.narrowest) return 0;
-  return -kWeights.decade_below * std::log10(kWeights.narrowest / mm);
+  return -kWeights.decade_narrow * std::log10(kWeights.narrowest / mm);
 }
 
 /// Nothing when no piece has a size.

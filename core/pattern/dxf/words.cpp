@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/base/text.h"
+#include "core/pattern/dxf/statement_keys.h"
 
 namespace toile::dxf {
 namespace {
@@ -109,6 +110,7 @@ std::optional<DxfStatement> statement_of(const std::string& text) {
   while (!statement.key.empty() && statement.key.back() == ' ') statement.key.pop_back();
   statement.value = trimmed(std::string_view(text).substr(colon + width));
   if (statement.key.empty()) return std::nullopt;
+  statement.key = english_key(statement.key);
   return statement;
 }
 

@@ -191,7 +191,8 @@ double belief_in(const FoundSeams& found, bool sides_known) {
   double named = 0;
   for (const PieceWords& words : found.model.words)
     named +=
-        words.kind != PieceKind::kOther || words.side != 0 || words.face != 0 || words.limb || words.layer
+        !(found.model.nameless && words.guessed) && (words.kind != PieceKind::kOther || words.side != 0 ||
+                                                     words.face != 0 || words.limb || words.layer)
             ? 1
             : 0;
   const double share =

@@ -15,6 +15,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/own_mirror.h"
 #include "core/pattern/seams/likeness.h"
+#include "core/pattern/seams/named_by_shape.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/second_layers.h"
 #include "core/pattern/seams/shapes.h"
@@ -205,6 +206,15 @@ bool slopes_to_hem(const SeamModel& m, Index panel) {
   });
 }
 
+/// Whether the piece has a crotch and what may be its shoulders is level: trousers whose pockets are cut into
+/// their sides.
+bool is_level_leg(const SeamModel& m, Index panel) {
+  return has_leg_crotch(m, panel) && std::none_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+           return run.panel == panel && run.up > kPairWeights.facing && run.up < kPairWeights.level_up &&
+                  bend_of(run) < kPairWeights.straight_deg;
+         });
+}
+
 /// What is only called front, back or side is of the trunk where it has shoulders; or where sleeves, collars,
 /// hoods, straps or others with shoulders say that it is a top, and nothing else says what covers the trunk.
 /// Below a waistband half a circle is no cape.
@@ -222,7 +232,7 @@ void name_trunk(SeamModel& m) {
              std::any_of(words.begin(), words.end(), [](const PieceWords& w) { return w.over_shoulder; });
   for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
     if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
-    if (banded && slopes_to_hem(m, p)) continue;
+    if (banded && (slopes_to_hem(m, p) || is_level_leg(m, p))) continue;
     words[p].kind = kTorso;
     words[p].guessed = true;
     top = true;
@@ -232,6 +242,22 @@ void name_trunk(SeamModel& m) {
     if (!unnamed(w) || (w.face == 0 && !w.flank)) continue;
     w.kind = kTorso;
     w.guessed = true;
+  }
+}
+
+/// "RT" alone is right; beside a "VT" (Vorderteil) it is the back (Rückenteil).
+void tell_backs_of_vt(const pattern::Pattern& pattern, SeamModel& m) {
+  const auto is = [](const pattern::Panel& panel, const char* word) {
+    const std::string id = lower_case(panel.id);
+    return id == word || id.starts_with(std::string(word) + "_mirrored");
+  };
+  if (std::none_of(pattern.panels.begin(), pattern.panels.end(),
+                   [&](const pattern::Panel& panel) { return is(panel, "vt"); }))
+    return;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    if (!is(pattern.panels[p], "rt")) continue;
+    m.words[p].face = -1;
+    m.words[p].side = 0;
   }
 }
 
@@ -308,7 +334,8 @@ bool has_shoulder(const SeamModel& m, Index panel) {
     if (bend_of(run) < kPairWeights.straight_deg && lies_between_hollows(m, run) && !beside_side) return true;
     const SeamRun& neck = m.runs[run.next];
     const SeamRun& after = m.runs[neck.next];
-    const bool pointed = equally_long(neck.length, after.length) && after.angle > kPairWeights.pointed_deg;
+    const bool pointed = equally_long(neck.length, after.length) && after.angle > kPairWeights.pointed_deg &&
+                         after.angle < kPairWeights.dart_deg;
     const SeamRun& other = pointed ? m.runs[after.next] : after;
     const bool hollow = pointed || neck.turn.back() < kPairWeights.neck_deg;
     return &other != &run && slopes(run) && slopes(other) && equally_long(run.length, other.length) &&
@@ -377,12 +404,16 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   }
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
+  tell_backs_of_vt(pattern, model);
   find_second_layers(pattern, model);
   name_trunk(model);
   name_hem_bands(model);
   find_rows(pattern, model);
   find_line_turns(model);
+  model.nameless = names_nothing(model);
+  if (model.nameless) name_shapes(model);
   find_twins(model);
+  if (model.nameless) name_by_fit(model);
   name_legs(model);
   find_crotch_sides(model);
   name_skirts(model);

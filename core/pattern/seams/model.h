@@ -57,6 +57,7 @@ struct SeamModel {
   bool tailored = false;  ///< a sleeve has an under part: its upper end, in the armhole, is hollow
   bool raglan = false;    ///< a sleeve goes up to the neck between front and back
   bool cut_on = false;    ///< cuffs end sleeves that are cut in one with the bodice
+  bool nameless = false;  ///< no name says what covers trunk, arms or legs: kinds are told by shapes
   bool has_band = false;  ///< a waistband: what hangs from the waist hangs from it
   /// Of each panel: it is a frill whose limb has a cuff, so that it hangs from that.
   std::vector<char> below_cuff;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/text.h"
-#include "core/pattern/seams/latin_letters.h"
+#include "core/base/latin_letters.h"
 #include "core/pattern/seams/piece_terms.h"
 
 namespace toile::seams {
@@ -79,10 +79,11 @@ std::string without_transcriptions(std::string_view word) {
   return out;
 }
 
-/// "Del" is a front (delantero) where no word follows that an article could belong to, "on" one of Turkish
-/// where nothing follows at all.
-void tell_short_fronts(std::vector<std::string>& words) {
+/// "Del" is a front (delantero) and "die" a back (dietro) where no word follows that an article could belong
+/// to, "on" a front of Turkish where nothing follows at all.
+void tell_short_faces(std::vector<std::string>& words) {
   if (words.empty()) return;
+  if (words.back() == "die" && words.size() > 1) words.back() = "back";
   if (words.back() == "del" || words == std::vector<std::string>{"on"}) words.back() = "front";
 }
 
@@ -91,7 +92,7 @@ void tell_short_fronts(std::vector<std::string>& words) {
 std::vector<std::string> words_of_piece(std::string_view name) {
   std::vector<std::string> words =
       words_of_name(in_latin_letters(with_signs_told(without_elided(std::string(name)))));
-  tell_short_fronts(words);
+  tell_short_faces(words);
   std::erase_if(words, [](const std::string& w) { return is_article(w); });
   std::string english;
   for (std::size_t k = 0; k < words.size(); ++k) {

@@ -82,7 +82,7 @@ constexpr std::string_view kSpanishPortuguese =
     "nivel=tier;piernas=leg;pernas=leg;solapa=lapel;lapela=lapel;";
 
 constexpr std::string_view kItalian =
-    "davanti=front;davanto=front;dietro=back;schiena=back;sinistra=left;sinistro=left;destra=right;"
+    "dav=front;davanti=front;davanto=front;dietro=back;schiena=back;sinistra=left;sinistro=left;destra=right;"
     "destro=right;fianco=side;fianchetto=side;manica=sleeve;collo=collar;colletto=collar;"
     "cappuccio=hood;polso=cuff;polsino=cuff;cinturino=waistband;gonna=skirt;pantalone=pants;"
     "pantaloni=pants;gamba=leg;corpetto=bodice;sprone=yoke;bretella=strap;balza=ruffle;tasca=pocket;"
@@ -166,7 +166,9 @@ constexpr std::string_view kCzechSlovak =
     "zadni dil=back;levy=left;pravy=right;bocni=side;bocny=side;rukav=sleeve;limec=collar;"
     "golier=collar;stojacek=stand;kapuce=hood;kapucna=hood;manzeta=cuff;sukne=skirt;sukna=skirt;"
     "kalhoty=pants;nohavice=pants;sedlo=yoke;kapsa=pocket;vrecko=pocket;podsivka=lining;"
-    "podsadka=facing;raminko=strap;naplet=rib;saty=dress;kosile=shirt;kosela=shirt;";
+    "podsadka=facing;raminko=strap;naplet=rib;naplet spodni=hem rib;spodni naplet=hem rib;naplet dolni=hem "
+    "rib;dolni naplet=hem rib;"
+    "saty=dress;kosile=shirt;kosela=shirt;";
 
 // Russian and Ukrainian, as they are written in Latin letters.
 constexpr std::string_view kRussianUkrainian =

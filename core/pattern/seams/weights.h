@@ -75,7 +75,8 @@ struct PairWeights {
   double height = 1.5;         ///< times the correlation of the two edges' heights
   double facing = 0.8;         ///< how much an edge faces up or down that does
   double facing_fully = 0.97;  ///< waists; shoulders slope
-  double pointed_deg = 190;    ///< corner of a neck that is cut to a point
+  double pointed_deg = 190;    ///< corner of a neck that is cut to a point …
+  double dart_deg = 300;       ///< … and of a dart, from here on
   double neck_deg = -20;       ///< turning of a neck at least, and of an armhole beside a shoulder
   double level_up = 0.995;     ///< a straight neck is level
   double off_neck = 0.6;       ///< how much an edge faces the side that is at no neck

@@ -19,6 +19,7 @@
 #include "core/project/create/choose_fabrics.h"
 #include "core/project/create/choose_mesh.h"
 #include "core/project/create/halves.h"
+#include "core/project/create/waist_elastic.h"
 
 namespace toile::create {
 namespace {
@@ -245,6 +246,18 @@ void complete(const NewProjectSettings& settings, NewProject& made) {
   project.bodies = {body};
 }
 
+/// Gives trousers and skirts that are pulled on the elastic of their casing.
+void hold_at_waist(NewProject& made) {
+  std::vector<pattern::Seam> sewn = made.pattern.seams;
+  for (std::size_t i = 0; i < made.proposals.size(); ++i)
+    if (made.proposals[i].confidence >= kSure) sewn.push_back(made.proposals[i].seam);
+  made.project.elastics = waist_elastics(made.pattern, sewn);
+  if (!made.project.elastics.empty())
+    made.notes.push_back(
+        "nothing but its upper edges holds the garment at the waist: elastics are sewn there, "
+        "as in a casing");
+}
+
 json::JsonValue side_json(const std::vector<project::ProjectSeamEdge>& side) {
   std::vector<json::JsonValue> edges;
   edges.reserve(side.size());
@@ -335,6 +348,7 @@ Result<NewProject> new_project(const dxf::DxfDrawing& drawing, const NewProjectS
   TRY(take_dxf(drawing, settings, made, sides.clockwise));
   TRY(sew(sides, settings, context, made));
   complete(settings, made);
+  hold_at_waist(made);
   return made;
 }
 

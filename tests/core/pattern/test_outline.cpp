@@ -144,6 +144,14 @@ TEST(Outline, ABluntCornerIsOneWhereStraightLinesMeet) {
   EXPECT_EQ(pattern::loop_from_polyline(flared, {})->edges.size(), 4u);
 }
 
+TEST(Outline, ACurveInFewSamplesHasNoCornerOfItsOwn) {
+  // A sleeve's cap, hollow at both ends, in six chords a side, some 50 mm long.
+  const std::vector<Vec2> sleeve{{-195, -73}, {215, -73}, {235, 0},   {191, 13},  {156, 46},
+                                 {125, 88},   {91, 131},  {51, 164},  {0, 177},   {-51, 166},
+                                 {-90, 134},  {-121, 91}, {-150, 47}, {-180, 14}, {-215, 0}};
+  EXPECT_EQ(pattern::loop_from_polyline(sleeve, {})->edges.size(), 4u);
+}
+
 TEST(Outline, ABluntCornerIsOneWhereALineMeetsACurve) {
   std::vector<Vec2> sleeve{{0, 0}, {200, -60}};  // the underarm, at -17°; the cap begins at 30°
   for (int i = 1; i <= 10; ++i) sleeve.push_back(sleeve.back() + at_degrees(10, 30 + 6 * i));

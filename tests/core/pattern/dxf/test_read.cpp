@@ -192,6 +192,27 @@ TEST(DxfRead, OverlappingPiecesStayPiecesAndRepeatedOnesAreReadOnce) {
   EXPECT_TRUE(noted(twice, "drawn a second time"));
 }
 
+TEST(DxfRead, StatementsAreReadInOtherLanguages) {
+  const std::string piece =
+      block("B1", text({50, 50}, "PARCA: KOL") + text({50, 60}, "BEDEN: 42") + text({50, 70}, "ADET: 1,1") +
+                      text({50, 80}, "2 ADET (AYNALI)") + rectangle({0, 0}, 300, 400, "1"));
+  const dxf::DxfDrawing d = read(section("BLOCKS", piece) + entities(insert("B1", {0, 0})));
+  ASSERT_EQ(d.pieces.size(), 1u);
+  EXPECT_EQ(d.pieces[0].name, "KOL");
+  EXPECT_EQ(d.pieces[0].size, "42");
+  EXPECT_EQ(d.pieces[0].quantity, 2);
+  EXPECT_EQ(d.pieces[0].mirrored, 1);
+  const std::string german = block("B1", text({50, 50}, "Teilename: \xc3\x84rmel") +
+                                             text({50, 70},
+                                                  "St\xc3\xbc"
+                                                  "ck: 2") +
+                                             rectangle({0, 0}, 300, 400, "1"));
+  const dxf::DxfDrawing other = read(section("BLOCKS", german) + entities(insert("B1", {0, 0})));
+  ASSERT_EQ(other.pieces.size(), 1u);
+  EXPECT_EQ(other.pieces[0].name, "\xc3\x84rmel");
+  EXPECT_EQ(other.pieces[0].quantity, 2);
+}
+
 TEST(DxfRead, AamaBlocksArePiecesWithTheirNamesGrainAndInserts) {
   const std::string front =
       block("front_M", text({50, 50}, "Piece Name: Front") + text({50, 50}, "Size: M") +

@@ -36,6 +36,22 @@ TEST(DxfUnits, AHeaderThatMakesGiantsIsNotBelieved) {
   expect_unit(drawing(700, "", header(1)), "mm", 0.8);
 }
 
+TEST(DxfUnits, AScaleStatesThem) {
+  expect_unit(drawing(200, "Scale: 1 unit = 1 cm"), "cm", 0.95);
+  expect_unit(drawing(30, "Massstab: 1 unit = 1 inch"), "inch", 0.95);
+}
+
+TEST(DxfUnits, OtherLanguagesStateThem) {
+  expect_unit(drawing(200, "Einheiten: cm"), "cm", 0.95);
+  expect_unit(drawing(200, "Unidades: cm"), "cm", 0.95);
+}
+
+TEST(DxfUnits, AGarmentOfNothingWideIsInCentimetres) {
+  const std::string robe = entities(rectangle({0, 0}, 45, 121) + rectangle({200, 0}, 73, 117) +
+                                    rectangle({400, 0}, 14, 263) + text({0, 0}, "Units: METRIC", "1"));
+  expect_unit(robe, "cm", 0.7);
+}
+
 TEST(DxfUnits, MetricIsMillimetresOrCentimetresByTheSizeOfThePieces) {
   expect_unit(drawing(815, "Units: METRIC"), "mm", 0.9);
   expect_unit(drawing(75, "UNITS: METRIC"), "cm", 0.6);

@@ -265,5 +265,34 @@ TEST(Offices, WhatIsGatheredHangsFromItsYoke) {
   EXPECT_EQ(seams::hangs_from(m, 0, 2), -1) << "a front from the back's yoke";
 }
 
+TEST(Offices, RtBesideVtIsABack) {
+  const seams::SeamModel german =
+      seams::make_seam_model({{shirt("VT", 520), shirt("RT", 600), strip("RT_mirrored", 90, 30)}, {}});
+  EXPECT_EQ(german.words[1].face, -1);
+  EXPECT_EQ(german.words[1].side, 0);
+  EXPECT_EQ(german.words[2].face, -1);
+  const seams::SeamModel english = seams::make_seam_model({{shirt("Front", 520), shirt("RT", 600)}, {}});
+  EXPECT_EQ(english.words[1].side, 1);
+}
+
+/// Half of a front of jeans, its pocket cut away: hem, side, pocket, waist, crotch, inner leg.
+pattern::Panel jeans_front(const std::string& name, double waist_rise) {
+  return piece(name, {{0, 0},
+                      {208, 0},
+                      {230, 955, Vec2{185, 955}, Vec2{140, 975}},
+                      {135, 1010},
+                      {10, 1010 - waist_rise, Vec2{0, 830}, Vec2{-30, 760}},
+                      {-65, 745}});
+}
+
+TEST(Offices, TrousersWhosePocketsAreCutAwayAreNoBodices) {
+  const pattern::Panel front = jeans_front("Front", 2);
+  const std::vector<pattern::Panel> trousers{front, mirrored(front, "Front_2"), strip("Waistband", 900, 40)};
+  EXPECT_NE(seams::make_seam_model({trousers, {}}).words[0].kind, seams::PieceKind::kTorso);
+  const std::vector<pattern::Panel> top{front, mirrored(front, "Front_2")};
+  EXPECT_EQ(seams::make_seam_model({top, {}}).words[0].kind, seams::PieceKind::kTorso)
+      << "by its shape alone it may be one";
+}
+
 }  // namespace
 }  // namespace toile

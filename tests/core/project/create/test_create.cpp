@@ -301,5 +301,37 @@ TEST(ProjectNew, SaysWhatIsWrongWithAPattern) {
   EXPECT_EQ(create::new_project("{\"pattern\": {}}", settings()).error().code.substr(0, 12), "garmentcode.");
 }
 
+/// Half of a pair of pyjama trousers, as wide at the waist as at the hip, or narrower there.
+pattern::Panel pyjama(const std::string& name, double crotch, double waist) {
+  return garments::piece(name, {{0, 0},
+                                {270, 0, Vec2{310, 500}, Vec2{310, 900}},
+                                {waist, 1060},
+                                {0, 1060, Vec2{0, 900}, Vec2{0, 775}},
+                                {-crotch, 760}});
+}
+
+std::vector<pattern::Panel> pyjamas(double waist) {
+  const pattern::Panel front = pyjama("Front", 60, waist), back = pyjama("Back", 120, waist);
+  return {front, garments::mirrored(front, "Front_2"), back, garments::mirrored(back, "Back_2")};
+}
+
+TEST(ProjectNew, TrousersWithoutAWaistbandHaveAnElasticWhereTheyArePulledOn) {
+  const auto made = create::new_project(drawing_of(pyjamas(300)), settings(0.8));
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  ASSERT_EQ(made->project.elastics.size(), 4u);
+  for (const project::ProjectElastic& elastic : made->project.elastics) {
+    EXPECT_EQ(elastic.lines.size(), 1u) << elastic.piece;
+    EXPECT_LT(elastic.factor, 0.7);
+  }
+  EXPECT_NE(made->notes.back().find("elastics"), std::string::npos);
+}
+
+TEST(ProjectNew, AShapedWaistAndAWaistbandNeedNoElastic) {
+  EXPECT_TRUE(create::new_project(drawing_of(pyjamas(220)), settings(0.8))->project.elastics.empty());
+  std::vector<pattern::Panel> banded = pyjamas(300);
+  banded.push_back(garments::piece("Waistband", {{0, 0}, {1200, 0}, {1200, 40}, {0, 40}}));
+  EXPECT_TRUE(create::new_project(drawing_of(banded), settings(0.8))->project.elastics.empty());
+}
+
 }  // namespace
 }  // namespace toile

@@ -1,9 +1,9 @@
-#include "core/pattern/seams/latin_letters.h"
+#include "core/base/latin_letters.h"
 
 #include <array>
 #include <cstddef>
 
-namespace toile::seams {
+namespace toile {
 namespace {
 
 /// The letters of U+00C0 to U+017F without what is above or below them; '?' is none of ASCII, or two.
@@ -80,4 +80,4 @@ std::string in_latin_letters(std::string_view text) {
   return out;
 }
 
-}  // namespace toile::seams
+}  // namespace toile

@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
-namespace toile::seams {
+namespace toile {
 
 /// The text (UTF-8) with the letters of U+00C0 to U+017F without what is above or below them, and those of
 /// Russian and Ukrainian as they are written in Latin letters, small ones; all else stays. Bytes that are no
 /// UTF-8 stay as well.
 std::string in_latin_letters(std::string_view text);
 
-}  // namespace toile::seams
+}  // namespace toile

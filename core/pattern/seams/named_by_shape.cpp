@@ -1,0 +1,337 @@
+#include "core/pattern/seams/named_by_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+#include "core/pattern/seams/bodice.h"
+#include "core/pattern/seams/likeness.h"
+#include "core/pattern/seams/roles.h"
+#include "core/pattern/seams/shapes.h"
+#include "core/pattern/seams/weights.h"
+
+namespace toile::seams {
+namespace {
+
+constexpr double kArmholeEase[2] = {-0.02, 0.14};  // share that a cap is longer than its armholes
+constexpr double kShoulder[2] = {25, 230};         // mm
+constexpr double kLeastSlope = 0.7;                // how much a shoulder faces up at least
+constexpr double kSidesOfSleeve = 0.03;            // share that the edges beside a cap differ by at most
+constexpr double kCapBend = 25;                    // degrees, that a cap bends at least
+
+void guess(PieceWords& words, PieceKind kind) {
+  words.kind = kind;
+  words.guessed = true;
+}
+
+Index pieces(const SeamModel& m) { return static_cast<Index>(m.words.size()); }
+
+/// Pieces of that kind, of two that mirror each other the first alone.
+std::vector<Index> of_kind(const SeamModel& m, PieceKind kind) {
+  std::vector<Index> found;
+  for (Index p = 0; p < pieces(m); ++p) {
+    const bool second = m.twin[p] != kNone && m.twin[p] < p;
+    if (m.words[p].kind == kind && !m.words[p].layer && !second) found.push_back(p);
+  }
+  return found;
+}
+
+/// The run after it (`forwards`) or before it that is no leg of a dart.
+const SeamRun& beyond_darts(const SeamModel& m, const SeamRun& from, bool forwards) {
+  const auto step = [&](const SeamRun& at) -> const SeamRun& {
+    return forwards ? m.runs[at.next] : run_before(m, at);
+  };
+  const SeamRun* at = &step(from);
+  for (int darts = 0; darts < 4; ++darts) {
+    const SeamRun& other = step(*at);
+    const double corner = forwards ? other.angle : at->angle;
+    if (corner < kPairWeights.dart_deg || !equally_long(at->length, other.length)) break;
+    at = &step(other);
+  }
+  return *at;
+}
+
+/// A shoulder with what lies beside it.
+struct Shoulder {
+  const SeamRun* run = nullptr;
+  const SeamRun* armhole = nullptr;
+  const SeamRun* neck = nullptr;
+};
+
+/// Whether the run may be the armhole beside a shoulder: hollow, with a side beyond it that faces as it does.
+bool is_armhole_before(const SeamModel& m, const SeamRun& run, const SeamRun& side) {
+  constexpr double kSideUp = 0.5;
+  return run.turn.back() < kPairWeights.neck_deg && std::abs(side.up) < kSideUp &&
+         side.turn.back() > kPairWeights.hollow_deg && faces_right(m, side) * faces_right(m, run) > 0;
+}
+
+/// The piece's edges that may be shoulders: straight and sloping, with an armhole on one side and on the
+/// other what comes up from no hem. The two slopes of a raglan sleeve lead to sides that are sewn together.
+std::vector<Shoulder> shoulders_of(const SeamModel& m, Index panel) {
+  constexpr double kSlopes = 0.99;
+  std::vector<Shoulder> found;
+  for (const Index r : runs_of(m, panel)) {
+    const SeamRun& run = m.runs[r];
+    const bool slopes = run.up > kLeastSlope && run.up < kSlopes && bend_of(run) < kPairWeights.straight_deg;
+    if (!slopes || run.length < kShoulder[0] || run.length > kShoulder[1]) continue;
+    const SeamRun &after = m.runs[run.next], &before = run_before(m, run);
+    const SeamRun &side_after = beyond_darts(m, after, true), &side_before = beyond_darts(m, before, false);
+    const bool last = is_armhole_before(m, after, side_after);
+    const bool first = is_armhole_before(m, before, side_before);
+    if (first == last && (!first || equally_long(side_after.length, side_before.length))) continue;
+    // Of two hollow edges the neck leads to the middle, straight along the grain; or it is the shorter one.
+    const bool told = is_middle(m, side_before) != is_middle(m, side_after);
+    const bool longer = told ? is_middle(m, side_after) : before.length > after.length;
+    const bool armhole_first = first && (!last || longer);
+    const Shoulder one{&run, armhole_first ? &before : &after, armhole_first ? &after : &before};
+    if (!begins_at_hem(m, *one.neck)) found.push_back(one);
+  }
+  return found;
+}
+
+bool share_length(const std::vector<Shoulder>& a, const std::vector<Shoulder>& b) {
+  return std::any_of(a.begin(), a.end(), [&](const Shoulder& x) {
+    return std::any_of(b.begin(), b.end(), [&](const Shoulder& y) {
+      return difference(*x.run, *y.run) < kPairWeights.shoulder_ease;
+    });
+  });
+}
+
+/// Whether one piece is the other, or its mirror image, by the lengths of its edges.
+bool same_edges(const SeamModel& m, Index p, Index q) {
+  std::vector<double> lengths[2];
+  for (const Index r : runs_of(m, p)) lengths[0].push_back(m.runs[r].length);
+  for (const Index r : runs_of(m, q)) lengths[1].push_back(m.runs[r].length);
+  for (std::vector<double>& l : lengths) std::sort(l.begin(), l.end());
+  return std::equal(lengths[0].begin(), lengths[0].end(), lengths[1].begin(), lengths[1].end(), equally_long);
+}
+
+/// How far the neck beside its shoulder goes down, mm; nothing where the piece has none.
+std::optional<double> neck_depth(const SeamModel& m, Index panel) {
+  const std::vector<Shoulder> shoulders = shoulders_of(m, panel);
+  if (shoulders.empty()) return std::nullopt;
+  const Vec2 up = m.up[panel];
+  const SeamRun &shoulder = *shoulders.front().run, &neck = *shoulders.front().neck;
+  double lowest = HUGE_VAL;
+  for (const Vec2 p : neck.at) lowest = std::min(lowest, dot(p, up));
+  return std::max(dot(shoulder.at.front(), up), dot(shoulder.at.back(), up)) - lowest;
+}
+
+/// How long the hollow edge of a leg is, mm; of half the trunk it is the back's that reaches further.
+double crotch_length(const SeamModel& m, Index panel) {
+  double longest = 0;
+  for (const Index r : runs_of(m, panel)) {
+    const SeamRun& run = m.runs[r];
+    if (run.turn.back() < kPairWeights.twin_hollow_deg && std::abs(run.up) < kPairWeights.facing)
+      longest = std::max(longest, run.length);
+  }
+  return longest;
+}
+
+void set_face(SeamModel& m, Index panel, int face) {
+  m.words[panel].face = face;
+  if (m.twin[panel] != kNone) m.words[m.twin[panel]].face = face;
+}
+
+/// The front's neck is the lower one, the back's crotch the longer one. Two alike tell nothing.
+template <class Measure>
+void tell_faces(SeamModel& m, const std::vector<Index>& parts, double least, Measure measure) {
+  std::vector<std::pair<double, Index>> measured;
+  for (const Index p : parts)
+    if (const std::optional<double> value = measure(p)) measured.push_back({*value, p});
+  if (measured.size() < 2) return;
+  std::sort(measured.begin(), measured.end());
+  std::size_t split = 0;
+  double widest = 0;
+  for (std::size_t k = 1; k < measured.size(); ++k) {
+    const double gap = measured[k].first - measured[k - 1].first;
+    if (gap > widest) {
+      widest = gap;
+      split = k;
+    }
+  }
+  if (widest < least) return;
+  for (std::size_t k = 0; k < measured.size(); ++k) set_face(m, measured[k].second, k < split ? -1 : 1);
+}
+
+/// Lengths of armholes of fronts and backs, mm.
+std::array<std::vector<double>, 2> armholes(const SeamModel& m) {
+  std::array<std::vector<double>, 2> lengths;
+  for (const Index p : of_kind(m, PieceKind::kTorso))
+    for (const Shoulder& shoulder : shoulders_of(m, p))
+      lengths[m.words[p].face > 0].push_back(shoulder.armhole->length);
+  return lengths;
+}
+
+bool eased_onto(double cap, double armhole) {
+  return cap > armhole * (1 + kArmholeEase[0]) && cap < armhole * (1 + kArmholeEase[1]);
+}
+
+/// Whether the run is a sleeve's cap: bent, as long as a front's and a back's armhole together, and between
+/// two edges of one length, which are sewn to each other.
+bool is_cap_of(const SeamModel& m, const SeamRun& run, const std::array<std::vector<double>, 2>& armholes) {
+  const SeamRun &after = m.runs[run.next], &before = run_before(m, run);
+  if (bend_of(run) < kCapBend || difference(after, before) > kSidesOfSleeve) return false;
+  return std::any_of(armholes[0].begin(), armholes[0].end(), [&](double back) {
+    return std::any_of(armholes[1].begin(), armholes[1].end(),
+                       [&](double front) { return eased_onto(run.length, back + front); });
+  });
+}
+
+/// Names sleeves; gives the length of what lies opposite the cap of the last one, mm, or 0.
+double name_sleeves(SeamModel& m) {
+  const std::array<std::vector<double>, 2> lengths = armholes(m);
+  double wrist = 0;
+  for (const SeamRun& run : m.runs) {
+    PieceWords& words = m.words[run.panel];
+    if (words.kind != PieceKind::kOther || words.layer || !is_cap_of(m, run, lengths)) continue;
+    guess(words, PieceKind::kSleeve);
+    words.limb = true;
+    wrist = m.girth[run.panel] - run.length - m.runs[run.next].length - run_before(m, run).length;
+  }
+  return wrist;
+}
+
+/// Length of the edges of pieces of that kind that face up, or down, mm.
+double ends_of(const SeamModel& m, PieceKind kind, bool up) {
+  double sum = 0;
+  for (const SeamRun& run : m.runs)
+    if (m.words[run.panel].kind == kind && !m.words[run.panel].layer &&
+        (up ? run.up > kPairWeights.facing : run.up < -kPairWeights.facing))
+      sum += run.length;
+  return sum;
+}
+
+/// Length of the necks of all bodices, mm.
+double neck_of(const SeamModel& m) {
+  std::vector<const SeamRun*> necks;
+  for (Index p = 0; p < pieces(m); ++p) {
+    if (m.words[p].kind != PieceKind::kTorso) continue;
+    for (const Shoulder& shoulder : shoulders_of(m, p))
+      if (std::find(necks.begin(), necks.end(), shoulder.neck) == necks.end()) necks.push_back(shoulder.neck);
+  }
+  double sum = 0;
+  for (const SeamRun* neck : necks) sum += neck->length;
+  return sum;
+}
+
+/// Length of the long sides of a strip that is that many times as long as wide, mm; 0 of what is none.
+double strip_length(const SeamModel& m, Index panel, double slim) {
+  constexpr double kAlike = 0.05;  // share
+  const std::vector<Index> runs = runs_of(m, panel);
+  if (runs.size() != 4) return 0;
+  const auto run = [&](std::size_t k) -> const SeamRun& { return m.runs[runs[k]]; };
+  const std::size_t k = run(0).length > run(1).length ? 0 : 1;
+  const bool even = difference(run(k), run(k + 2)) < kAlike && bend_of(run(k)) < kPairWeights.straight_deg;
+  return even && run(k).length > slim * run(1 - k).length ? run(k).length : 0;
+}
+
+/// Stands a strip on one of its long sides, as it goes around a body.
+void stand_along(SeamModel& m, Index panel) {
+  const std::vector<Index> runs = runs_of(m, panel);
+  const SeamRun& first = m.runs[runs[0]];
+  const SeamRun& side = first.length > m.runs[runs[1]].length ? first : m.runs[runs[1]];
+  const Vec2 across = perpendicular(normalized(chord(side)));
+  m.up[panel] = dot(across, m.up[panel]) < 0 ? -across : across;
+  for (const Index r : runs) m.runs[r].up = dot(normalized(-perpendicular(chord(m.runs[r]))), m.up[panel]);
+}
+
+/// Strips that fit a waist, wrists, a neck, a hem.
+void name_strips(SeamModel& m, double wrist) {
+  using enum PieceKind;
+  constexpr double kSlim = 2.5, kCuffSlim = 1.4;  // times as long as wide; a rib is folded
+  struct Place {
+    double length;       // mm, of what the strip goes around
+    double least, most;  // times that
+    PieceKind kind;
+  };
+  const Place places[] = {{ends_of(m, kLegs, true), 0.95, 1.2, kBand},
+                          {wrist, 0.45, 1.05, kCuff},
+                          {neck_of(m), 0.65, 1.05, kCollar},
+                          {ends_of(m, kTorso, false), 0.6, 1.05, kBand}};
+  for (Index p = 0; p < pieces(m); ++p) {
+    PieceWords& words = m.words[p];
+    const double length = strip_length(m, p, kCuffSlim);
+    if (length == 0 || words.kind != kOther || words.layer) continue;
+    const bool two = std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& other) {
+      const auto q = static_cast<Index>(&other - m.words.data());
+      return q != p && same_edges(m, p, q);
+    });
+    for (const Place& place : places) {
+      if (place.length == 0 || (place.kind == kCuff && !two) || (place.kind == kCollar && two)) continue;
+      if (place.kind != kCuff && strip_length(m, p, kSlim) == 0) continue;
+      const double halves = two && place.kind == kBand ? 2 : 1;
+      if (halves * length < place.least * place.length || halves * length > place.most * place.length)
+        continue;
+      guess(words, place.kind);
+      stand_along(m, p);
+      words.limb = place.kind == kCuff;
+      words.stand = place.kind == kCollar;
+      break;
+    }
+  }
+}
+
+/// Pairs with a lower edge as long as half the neck, far larger than a collar, and round: hoods.
+void name_hoods(SeamModel& m) {
+  constexpr double kLeast = 0.85, kMost = 1.2, kLarge = 900, kRound = 40;  // times half the neck; mm; degrees
+  const double half = neck_of(m) / 2;
+  for (const SeamRun& run : m.runs) {
+    PieceWords& words = m.words[run.panel];
+    const Index twin = m.twin[run.panel];
+    const bool pair = twin != kNone && twin != run.panel && m.girth[run.panel] > kLarge;
+    const std::vector<Index> all = runs_of(m, run.panel);
+    const bool round =
+        std::any_of(all.begin(), all.end(), [&](Index r) { return bend_of(m.runs[r]) > kRound; });
+    const bool fits =
+        round && run.length > kLeast * half && run.length < kMost * half && run.up < -kLeastSlope;
+    if (words.kind == PieceKind::kOther && !words.layer && pair && fits) guess(words, PieceKind::kHood);
+  }
+}
+
+}  // namespace
+
+bool names_nothing(const SeamModel& m) {
+  using enum PieceKind;
+  return std::none_of(m.words.begin(), m.words.end(), [](const PieceWords& w) {
+    return w.kind == kTorso || w.kind == kSkirt || w.kind == kLegs || w.kind == kSleeve || w.kind == kHood ||
+           w.face != 0 || w.flank;
+  });
+}
+
+void name_shapes(SeamModel& m) {
+  std::vector<std::vector<Shoulder>> shoulders;
+  for (Index p = 0; p < pieces(m); ++p) shoulders.push_back(shoulders_of(m, p));
+  std::vector<char> crotch;
+  for (Index p = 0; p < pieces(m); ++p) crotch.push_back(shoulders[p].empty() && has_leg_crotch(m, p));
+  for (Index p = 0; p < pieces(m); ++p) {
+    PieceWords& words = m.words[p];
+    if (words.kind != PieceKind::kOther || words.layer) continue;
+    bool torso = false, legs = false;
+    for (Index q = 0; q < pieces(m); ++q) {
+      if (same_edges(m, p, q)) continue;
+      torso = torso || share_length(shoulders[p], shoulders[q]);
+      legs = legs || (crotch[p] && crotch[q]);
+    }
+    if (torso) guess(words, PieceKind::kTorso);
+    if (!torso && legs) {
+      guess(words, PieceKind::kLegs);
+      words.leg = true;
+    }
+  }
+}
+
+void name_by_fit(SeamModel& m) {
+  constexpr double kNeck = 8, kCrotch = 15;  // mm, that a front's and a back's differ by at least
+  tell_faces(m, of_kind(m, PieceKind::kTorso), kNeck, [&](Index p) { return neck_depth(m, p); });
+  tell_faces(m, of_kind(m, PieceKind::kLegs), kCrotch,
+             [&](Index p) -> std::optional<double> { return -crotch_length(m, p); });
+  const double wrist = name_sleeves(m);
+  name_strips(m, wrist);
+  name_hoods(m);
+}
+
+}  // namespace toile::seams

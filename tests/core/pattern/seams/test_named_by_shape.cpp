@@ -1,0 +1,114 @@
+// Garments whose pieces have numbers for names: shapes tell what they are.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/pattern/seams/model.h"
+#include "core/pattern/seams/propose.h"
+#include "tests/core/pattern/garments.h"
+#include "tests/core/pattern/seams/worn_seams.h"
+
+namespace toile {
+namespace {
+
+using garments::mirrored;
+using garments::piece;
+using garments::strip;
+using seams::PieceKind;
+using test::WornSeams;
+using Panels = std::vector<pattern::Panel>;
+
+pattern::Panel top(const std::string& name, double neck) {
+  return garments::bodice(name, {250, 0}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600},
+                          {70, 640, Vec2{60, neck}});
+}
+
+/// Its cap is eased by a twentieth onto the armholes of two tops.
+pattern::Panel arm(const std::string& name) {
+  const double armholes = 2 * garments::length_of(top("", 600), 2);
+  pattern::Panel sleeve;
+  for (double rise = 100; rise < 400; rise += 2) {
+    sleeve = piece(
+        name, {{-110, 0}, {110, 0}, {185, 420, Vec2{90, 420 + rise}, Vec2{-90, 420 + rise}}, {-185, 420}});
+    if (garments::length_of(sleeve, 2) > 1.05 * armholes) break;
+  }
+  return sleeve;
+}
+
+/// A front, a back, two sleeves with cuffs, a neckband, a band for the hem.
+Panels shirt_of_numbers() {
+  const pattern::Panel sleeve = arm("3"), cuff = strip("5", 180, 110);
+  return {top("1", 520),       top("2", 600),        sleeve, mirrored(sleeve, "3_mirrored"),
+          strip("4", 330, 32), strip("6", 860, 120), cuff,   mirrored(cuff, "5_mirrored")};
+}
+
+PieceKind kind_of(const Panels& panels, std::size_t p) {
+  return seams::make_seam_model({panels, {}}).words[p].kind;
+}
+
+TEST(NamedByShape, APairOfPiecesWithLikeShouldersIsABodiceItsLowerNeckTheFront) {
+  const Panels panels = shirt_of_numbers();
+  const seams::SeamModel m = seams::make_seam_model({panels, {}});
+  EXPECT_TRUE(m.nameless);
+  EXPECT_EQ(m.words[0].kind, PieceKind::kTorso);
+  EXPECT_EQ(m.words[1].kind, PieceKind::kTorso);
+  EXPECT_EQ(m.words[0].face, 1);
+  EXPECT_EQ(m.words[1].face, -1);
+  EXPECT_EQ(kind_of({panels[0], panels[4]}, 0), PieceKind::kOther) << "one alone has no fellow";
+}
+
+TEST(NamedByShape, WhatFitsTheArmholesTheNeckTheWristsAndTheHemIsNamedSo) {
+  const Panels panels = shirt_of_numbers();
+  EXPECT_EQ(kind_of(panels, 2), PieceKind::kSleeve);
+  EXPECT_EQ(kind_of(panels, 4), PieceKind::kCollar);
+  EXPECT_EQ(kind_of(panels, 5), PieceKind::kBand);
+  EXPECT_EQ(kind_of(panels, 6), PieceKind::kCuff);
+  Panels longer = panels;
+  longer[4] = strip("4", 540, 32);
+  EXPECT_EQ(kind_of(longer, 4), PieceKind::kOther) << "longer than the neck, shorter than the hem";
+}
+
+TEST(NamedByShape, AShirtOfNumbersIsSewnAsOneWithNames) {
+  const WornSeams worn(shirt_of_numbers());
+  EXPECT_TRUE(worn.has({"1.e3"}, {"2.e5"}) && worn.has({"1.e5"}, {"2.e3"})) << worn.text();
+  EXPECT_TRUE(worn.has({"1.e1"}, {"2.e7"}) && worn.has({"1.e7"}, {"2.e1"})) << worn.text();
+  EXPECT_TRUE(worn.has({"3.e1"}, {"3.e3"})) << worn.text();
+  EXPECT_TRUE(worn.has({"4.e1"}, {"4.e3"})) << worn.text();
+  EXPECT_TRUE(worn.has({"1.e4", "2.e4"}, {"4.e0"})) << worn.text();
+  EXPECT_TRUE(worn.has({"6.e1"}, {"6.e3"})) << worn.text();
+}
+
+TEST(NamedByShape, TrousersAreToldByTheirCrotchesAndTheirWaistband) {
+  Panels panels = garments::trousers().panels;
+  double waist = 0;
+  const seams::SeamModel named = seams::make_seam_model({panels, {}});
+  for (const seams::SeamRun& run : named.runs)
+    if (run.up > 0.8) waist += run.length;
+  for (std::size_t p = 0; p < panels.size(); ++p) panels[p].id = std::to_string(p + 1);
+  panels.push_back(strip("9", waist * 1.03, 40));
+  const seams::SeamModel m = seams::make_seam_model({panels, {}});
+  for (std::size_t p = 0; p + 1 < panels.size(); ++p) {
+    EXPECT_EQ(m.words[p].kind, PieceKind::kLegs) << p;
+    EXPECT_EQ(m.words[p].face, named.words[p].face) << p;
+  }
+  EXPECT_EQ(m.words.back().kind, PieceKind::kBand);
+}
+
+TEST(NamedByShape, NamesGoBeforeShapes) {
+  Panels panels = shirt_of_numbers();
+  panels[0].id = "Front";
+  EXPECT_FALSE(seams::make_seam_model({panels, {}}).nameless);
+  panels[0].id = "Pocket";
+  EXPECT_EQ(kind_of(panels, 0), PieceKind::kOther);
+}
+
+TEST(NamedByShape, WhatShapesTellIsNeverSure) {
+  for (const seams::SeamProposal& p : seams::propose_seams({shirt_of_numbers(), {}}))
+    EXPECT_LT(p.confidence, 0.8) << p.seam.id;
+}
+
+}  // namespace
+}  // namespace toile
