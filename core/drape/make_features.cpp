@@ -46,9 +46,11 @@ std::vector<solver::constraints::ElasticSegment> elastics_of(const DrapeInput& i
   std::vector<solver::constraints::ElasticSegment> segments;
   for (std::size_t i = 0; i < input.notions.elastics.size(); ++i) {
     const sewing::Elastic& elastic = input.notions.elastics[i];
+    // What hangs by hooks is gathered by their places, and its band goes from hook to hook.
+    const bool gathers = elastic.factor < 1 && input.attachments.empty();
     for (const std::vector<Index>& chain : assembly.notions.elastics[i]) {
       // Between a band's segments the cloth buckles: one edge alone cannot, and would have to be squeezed.
-      const std::size_t edges = chain.size() - 1, stride = elastic.factor < 1 ? kGathered : 1;
+      const std::size_t edges = chain.size() - 1, stride = gathers ? kGathered : 1;
       const std::size_t parts = std::max<std::size_t>(1, (edges + stride / 2) / stride);
       for (std::size_t part = 0; part < parts; ++part) {
         const std::size_t from = part * edges / parts, to = (part + 1) * edges / parts;

@@ -159,6 +159,19 @@ bool is_rib_on_neck(const SeamModel& m, const Chain& a, const Chain& b) {
                       [&](Index r) { return m.words[m.runs[r].panel].kind == PieceKind::kCollar; });
 }
 
+/// Corners of the neck that notches of the collar meet where both lie around the middle of the back: a collar
+/// may end before the neck does.
+std::size_t collar_notches_met(const SeamModel& m, const Chain& collar, const Chain& neck) {
+  if (collar.runs.size() != 1 || neck.runs.size() < 2 || !is_of(m, collar, PieceKind::kCollar)) return 0;
+  const std::vector<double> corners = corners_of(m, neck.runs);
+  const std::vector<double>& notches = m.runs[collar.runs.front()].notches;
+  return static_cast<std::size_t>(std::count_if(notches.begin(), notches.end(), [&](double n) {
+    return std::any_of(corners.begin(), corners.end(), [&](double c) {
+      return std::abs((n - collar.length / 2) - (c - neck.length / 2)) < kSeriesWeights.notch_from_middle_mm;
+    });
+  }));
+}
+
 /// What speaks for the two chains before the surface is looked at.
 double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   double merit = length_merit(a.length, b.length);
@@ -166,6 +179,8 @@ double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   if (a.whole && b.whole && gores_in_order(m, a, b)) merit += kSeriesWeights.gores_in_order;
   merit += std::min(kSeriesWeights.corners_most,
                     kSeriesWeights.corner * static_cast<double>(meeting_corners(m, a, b)));
+  merit +=
+      kSeriesWeights.corner * static_cast<double>(collar_notches_met(m, a, b) + collar_notches_met(m, b, a));
   if (a.whole && b.whole) merit += kSeriesWeights.whole_borders;
   if (is_collar_on_neck(m, a, b) || is_collar_on_neck(m, b, a)) merit += kSeriesWeights.collar_on_neck;
   if (rounds_collar_point(m, a) || rounds_collar_point(m, b)) merit += kSeriesWeights.round_collar_point;

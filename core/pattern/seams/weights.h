@@ -22,8 +22,9 @@
 // sizes; those for flanks, gores and hems that are as long as necks on twelve garments that another hand
 // drafted, of which 10 are worn since (5 before), and 8 of twelve others (7); those for strips, bias cuts,
 // batwings, circles, parted sides of legs, bibs and strap places on twelve more of such garments, of which 7
-// are worn since (2 before), and 3 of twelve others (2). What is changed here is to be scored again on all of
-// them, the two halves told apart.
+// are worn since (2 before), and 3 of twelve others (2). How shapes tell kinds (named_by_shape) was tried on
+// 46 garments of these that are worn, with numbers for names: of 490 seams 360 stay the same, 302 before.
+// What is changed here is to be scored again on all of them, the two halves told apart.
 
 #include <cstddef>
 
@@ -243,11 +244,12 @@ struct GarmentWeights {
 
 /// What speaks for seams of several edges on a side.
 struct SeriesWeights {
-  double meet = 0.012;         ///< of the seam's length: corners this close meet
-  double meet_least_mm = 3;    ///< or this close
-  double corner = 0.7;         ///< for corners of both sides that meet …
-  double corners_most = 2.5;   ///< … together
-  double whole_borders = 2.5;  ///< an edge all around sewn to one all around
+  double meet = 0.012;              ///< of the seam's length: corners this close meet
+  double meet_least_mm = 3;         ///< or this close
+  double corner = 0.7;              ///< for corners of both sides that meet …
+  double corners_most = 2.5;        ///< … together
+  double notch_from_middle_mm = 3;  ///< that a collar's notch is off a corner of its neck, from their middles
+  double whole_borders = 2.5;       ///< an edge all around sewn to one all around
   double collar_on_neck = 10;  ///< a collar and a neck, each its own mirror image, that differ by less than …
   double collar_fits = 0.03;       ///< … this share
   double rib_on_neck = 2;          ///< the least that lengths say of a closed neckband …
