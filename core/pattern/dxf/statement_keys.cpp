@@ -1,6 +1,7 @@
 #include "core/pattern/dxf/statement_keys.h"
 
-#include <map>
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "core/base/latin_letters.h"
@@ -8,125 +9,40 @@
 namespace toile::dxf {
 namespace {
 
-/// Without accents.
-const std::map<std::string_view, std::string_view>& keys() {
-  static const std::map<std::string_view, std::string_view> kKeys{// German
-                                                                  {"teil", "piece name"},
-                                                                  {"teilname", "piece name"},
-                                                                  {"teilename", "piece name"},
-                                                                  {"schnittteil", "piece name"},
-                                                                  {"groesse", "size"},
-                                                                  {"grosse", "size"},
-                                                                  {"anzahl", "quantity"},
-                                                                  {"stueck", "quantity"},
-                                                                  {"stuck", "quantity"},
-                                                                  {"stueckzahl", "quantity"},
-                                                                  {"stuckzahl", "quantity"},
-                                                                  {"menge", "quantity"},
-                                                                  {"stoff", "material"},
-                                                                  {"modell", "style name"},
-                                                                  {"einheit", "units"},
-                                                                  {"einheiten", "units"},
-                                                                  {"mustergroesse", "sample size"},
-                                                                  {"basisgroesse", "sample size"},
-                                                                  // French
-                                                                  {"piece", "piece name"},
-                                                                  {"nom de piece", "piece name"},
-                                                                  {"nom de la piece", "piece name"},
-                                                                  {"nom piece", "piece name"},
-                                                                  {"taille", "size"},
-                                                                  {"quantite", "quantity"},
-                                                                  {"tissu", "material"},
-                                                                  {"matiere", "material"},
-                                                                  {"modele", "style name"},
-                                                                  {"unite", "units"},
-                                                                  {"unites", "units"},
-                                                                  {"taille de base", "sample size"},
-                                                                  // Spanish and Portuguese
-                                                                  {"pieza", "piece name"},
-                                                                  {"nombre de pieza", "piece name"},
-                                                                  {"nombre de la pieza", "piece name"},
-                                                                  {"peca", "piece name"},
-                                                                  {"nome da peca", "piece name"},
-                                                                  {"talla", "size"},
-                                                                  {"tamanho", "size"},
-                                                                  {"cantidad", "quantity"},
-                                                                  {"quantidade", "quantity"},
-                                                                  {"tela", "material"},
-                                                                  {"tejido", "material"},
-                                                                  {"tecido", "material"},
-                                                                  {"modelo", "style name"},
-                                                                  {"unidad", "units"},
-                                                                  {"unidades", "units"},
-                                                                  {"talla base", "sample size"},
-                                                                  // Italian
-                                                                  {"pezzo", "piece name"},
-                                                                  {"nome pezzo", "piece name"},
-                                                                  {"nome del pezzo", "piece name"},
-                                                                  {"taglia", "size"},
-                                                                  {"quantita", "quantity"},
-                                                                  {"tessuto", "material"},
-                                                                  {"modello", "style name"},
-                                                                  {"unita", "units"},
-                                                                  {"taglia base", "sample size"},
-                                                                  // Dutch
-                                                                  {"deel", "piece name"},
-                                                                  {"patroondeel", "piece name"},
-                                                                  {"naam", "piece name"},
-                                                                  {"maat", "size"},
-                                                                  {"aantal", "quantity"},
-                                                                  {"stof", "material"},
-                                                                  {"eenheid", "units"},
-                                                                  {"eenheden", "units"},
-                                                                  {"basismaat", "sample size"},
-                                                                  // Polish, Czech, Slovak
-                                                                  {"nazwa", "piece name"},
-                                                                  {"czesc", "piece name"},
-                                                                  {"dil", "piece name"},
-                                                                  {"nazev dilu", "piece name"},
-                                                                  {"diel", "piece name"},
-                                                                  {"rozmiar", "size"},
-                                                                  {"velikost", "size"},
-                                                                  {"velkost", "size"},
-                                                                  {"ilosc", "quantity"},
-                                                                  {"pocet", "quantity"},
-                                                                  {"kusu", "quantity"},
-                                                                  {"tkanina", "material"},
-                                                                  {"latka", "material"},
-                                                                  {"jednostka", "units"},
-                                                                  {"jednostki", "units"},
-                                                                  {"jednotka", "units"},
-                                                                  {"jednotky", "units"},
-                                                                  // Turkish
-                                                                  {"parca", "piece name"},
-                                                                  {"parca adi", "piece name"},
-                                                                  {"beden", "size"},
-                                                                  {"adet", "quantity"},
-                                                                  {"kumas", "material"},
-                                                                  {"birim", "units"},
-                                                                  // Swedish, Danish, Norwegian
-                                                                  {"delnamn", "piece name"},
-                                                                  {"storlek", "size"},
-                                                                  {"storrelse", "size"},
-                                                                  {"antal", "quantity"},
-                                                                  {"antall", "quantity"},
-                                                                  {"tyg", "material"},
-                                                                  {"enhet", "units"},
-                                                                  {"enhed", "units"},
-                                                                  // English
-                                                                  {"part name", "piece name"},
-                                                                  {"qty", "quantity"},
-                                                                  {"fabric", "material"},
-                                                                  {"unit", "units"},
-                                                                  {"base size", "sample size"}};
-  return kKeys;
-}
+/// What one statement is called in other languages, without accents, between semicolons.
+struct KeyNames {
+  std::string_view english, others;
+};
+
+constexpr KeyNames kKeys[] = {
+    {"piece name",
+     ";teil;teilname;teilename;schnittteil;piece;nom de piece;nom de la piece;nom piece;"
+     "pieza;nombre de pieza;nombre de la pieza;peca;nome da peca;pezzo;nome pezzo;"
+     "nome del pezzo;deel;patroondeel;naam;nazwa;czesc;dil;nazev dilu;diel;parca;"
+     "parca adi;delnamn;part name;"},
+    {"size",
+     ";groesse;grosse;taille;talla;tamanho;taglia;maat;rozmiar;velikost;velkost;beden;"
+     "storlek;storrelse;"},
+    {"quantity",
+     ";anzahl;stueck;stuck;stueckzahl;stuckzahl;menge;quantite;cantidad;quantidade;"
+     "quantita;aantal;ilosc;pocet;kusu;adet;antal;antall;qty;"},
+    {"material", ";stoff;tissu;matiere;tela;tejido;tecido;tessuto;stof;tkanina;latka;kumas;tyg;fabric;"},
+    {"style name", ";modell;modele;modelo;modello;"},
+    {"units",
+     ";einheit;einheiten;unite;unites;unidad;unidades;unita;eenheid;eenheden;jednostka;"
+     "jednostki;jednotka;jednotky;birim;enhet;enhed;unit;"},
+    {"sample size",
+     ";mustergroesse;basisgroesse;taille de base;talla base;taglia base;basismaat;"
+     "base size;"}};
 
 }  // namespace
 
 std::string english_key(const std::string& key) {
-  const auto known = keys().find(in_latin_letters(key));
-  return known == keys().end() ? key : std::string(known->second);
+  const std::string wanted = ";" + in_latin_letters(key) + ";";
+  const KeyNames* known = std::find_if(std::begin(kKeys), std::end(kKeys), [&](const KeyNames& names) {
+    return names.others.find(wanted) != std::string_view::npos;
+  });
+  return known == std::end(kKeys) ? key : std::string(known->english);
 }
 
 }  // namespace toile::dxf

@@ -304,8 +304,10 @@ bool names_nothing(const SeamModel& m) {
 
 void name_shapes(SeamModel& m) {
   std::vector<std::vector<Shoulder>> shoulders;
+  shoulders.reserve(m.words.size());
   for (Index p = 0; p < pieces(m); ++p) shoulders.push_back(shoulders_of(m, p));
   std::vector<char> crotch;
+  crotch.reserve(m.words.size());
   for (Index p = 0; p < pieces(m); ++p) crotch.push_back(shoulders[p].empty() && has_leg_crotch(m, p));
   for (Index p = 0; p < pieces(m); ++p) {
     PieceWords& words = m.words[p];

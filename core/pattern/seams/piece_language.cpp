@@ -5,8 +5,8 @@
 #include <iterator>
 #include <optional>
 
-#include "core/base/text.h"
 #include "core/base/latin_letters.h"
+#include "core/base/text.h"
 #include "core/pattern/seams/piece_terms.h"
 
 namespace toile::seams {
