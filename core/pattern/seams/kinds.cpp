@@ -314,15 +314,14 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   return hanging && upright && !is_neck(ka) && !is_neck(kb) ? kPairWeights.only_hangs : 0;
 }
 
-namespace {
-
-/// Whether the run goes from the hem of a bodice in a wide bend to the wrist of a sleeve that is cut on.
 bool sweeps_to_wrist(const SeamModel& m, const SeamRun& run) {
-  constexpr double kWide = -45;  // degrees
-  return m.words[run.panel].kind == PieceKind::kTorso && run.turn.back() < kWide && begins_at_hem(m, run);
+  constexpr double kWide = -45, kGoesOn = 50;  // degrees
+  if (m.words[run.panel].kind != PieceKind::kTorso || run.turn.back() > kWide) return false;
+  const SeamRun &after = m.runs[run.next], &before = run_before(m, run);
+  const auto goes_on = [](double corner) { return std::abs(corner - 180) < kGoesOn; };
+  return begins_at_hem(m, run) || (goes_on(after.angle) && begins_at_hem(m, after)) ||
+         (goes_on(run.angle) && begins_at_hem(m, before));
 }
-
-}  // namespace
 
 double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   constexpr double mostly = kPairWeights.facing, fully = kPairWeights.facing_fully;

@@ -30,6 +30,10 @@ bool takes_both_halves(const SeamModel& m, Index i, Index j);
 /// What the kinds of the two pieces say; `hangs` is told_to_hang() of the runs.
 double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int hangs);
 
+/// Whether the run goes from the hem of a bodice, or on from its side, in a wide bend to the wrist of a
+/// sleeve that is cut on.
+bool sweeps_to_wrist(const SeamModel& m, const SeamRun& run);
+
 /// What the runs' facing up and down says: hems, waists, what hangs below what.
 double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 

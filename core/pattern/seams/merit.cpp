@@ -152,7 +152,8 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   double merit = length_part(m, i, j, lengths, counterparts, gathers) + shape_merit(a, b) +
                  facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
   if (hangs > 0 && takes_both_halves(m, i, j)) merit += kPairWeights.half_takes_all;
-  const bool sides = begins_at_hem(m, a) && begins_at_hem(m, b) && !twins;
+  const bool sweep = sweeps_to_wrist(m, a) && sweeps_to_wrist(m, b);
+  const bool sides = (sweep || (begins_at_hem(m, a) && begins_at_hem(m, b))) && !twins;
   const bool torsos = are_torsos(m, i, j);  // of which no part of an armhole meets one of another
   const double turn = torsos ? std::max(a.line_turn, b.line_turn) : std::max(a.turn.back(), b.turn.back());
   if (!sides && (!twins || a.panel == b.panel) && turn < kPairWeights.hollow_deg)

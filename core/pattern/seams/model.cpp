@@ -261,6 +261,16 @@ void tell_backs_of_vt(const pattern::Pattern& pattern, SeamModel& m) {
   }
 }
 
+/// A side that all names tell is a size ("_L") or the half that is drawn.
+void forget_common_side(SeamModel& m) {
+  constexpr std::size_t kGarment = 3;  // pieces
+  const int side = m.words.empty() ? 0 : m.words.front().side;
+  const bool common = std::all_of(m.words.begin(), m.words.end(),
+                                  [&](const PieceWords& words) { return words.side == side; });
+  if (!common || m.words.size() < kGarment) return;
+  for (PieceWords& words : m.words) words.side = 0;
+}
+
 /// The bands that end a top hang from it, as waistbands do.
 void name_hem_bands(SeamModel& m) {
   const auto any = [&](PieceKind kind) {
@@ -405,6 +415,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
   tell_backs_of_vt(pattern, model);
+  forget_common_side(model);
   find_second_layers(pattern, model);
   name_trunk(model);
   name_hem_bands(model);

@@ -92,6 +92,27 @@ std::vector<Shoulder> shoulders_of(const SeamModel& m, Index panel) {
   return found;
 }
 
+/// The neck of a piece with sleeves cut on: hollow, between two edges of one length that slope down from it,
+/// and not to the hem, as half a circle's do. Nothing of what has none.
+const SeamRun* cut_on_neck(const SeamModel& m, Index panel) {
+  constexpr double kNeck = 600, kSlopesUp = 0.75;  // mm, of half a neck at most; facing
+  for (const Index r : runs_of(m, panel)) {
+    const SeamRun &neck = m.runs[r], &after = m.runs[neck.next], &before = run_before(m, neck);
+    const bool hollow = neck.turn.back() < kPairWeights.neck_deg && neck.up > kPairWeights.facing;
+    const bool slopes = std::min(after.up, before.up) > kSlopesUp && &after != &before &&
+                        equally_long(after.length, before.length) && after.length > kShoulder[1];
+    if (hollow && slopes && neck.length < kNeck && !begins_at_hem(m, after) && !begins_at_hem(m, before))
+      return &neck;
+  }
+  return nullptr;
+}
+
+/// How long the shoulders beside that neck are, mm; 0 of what has none.
+double cut_on_shoulder(const SeamModel& m, Index panel) {
+  const SeamRun* neck = cut_on_neck(m, panel);
+  return neck == nullptr ? 0 : m.runs[neck->next].length;
+}
+
 bool share_length(const std::vector<Shoulder>& a, const std::vector<Shoulder>& b) {
   return std::any_of(a.begin(), a.end(), [&](const Shoulder& x) {
     return std::any_of(b.begin(), b.end(), [&](const Shoulder& y) {
@@ -109,15 +130,21 @@ bool same_edges(const SeamModel& m, Index p, Index q) {
   return std::equal(lengths[0].begin(), lengths[0].end(), lengths[1].begin(), lengths[1].end(), equally_long);
 }
 
-/// How far the neck beside its shoulder goes down, mm; nothing where the piece has none.
-std::optional<double> neck_depth(const SeamModel& m, Index panel) {
-  const std::vector<Shoulder> shoulders = shoulders_of(m, panel);
-  if (shoulders.empty()) return std::nullopt;
-  const Vec2 up = m.up[panel];
-  const SeamRun &shoulder = *shoulders.front().run, &neck = *shoulders.front().neck;
+/// How far the run goes down from its ends, mm.
+double depth_of(const SeamModel& m, const SeamRun& neck, const SeamRun& shoulder) {
+  const Vec2 up = m.up[neck.panel];
   double lowest = HUGE_VAL;
   for (const Vec2 p : neck.at) lowest = std::min(lowest, dot(p, up));
   return std::max(dot(shoulder.at.front(), up), dot(shoulder.at.back(), up)) - lowest;
+}
+
+/// How far the neck beside its shoulder goes down, mm; nothing where the piece has none.
+std::optional<double> neck_depth(const SeamModel& m, Index panel) {
+  const std::vector<Shoulder> shoulders = shoulders_of(m, panel);
+  if (!shoulders.empty()) return depth_of(m, *shoulders.front().neck, *shoulders.front().run);
+  const SeamRun* neck = cut_on_neck(m, panel);
+  if (neck == nullptr) return std::nullopt;
+  return depth_of(m, *neck, m.runs[neck->next]);
 }
 
 /// How long the hollow edge of a leg is, mm; of half the trunk it is the back's that reaches further.
@@ -195,12 +222,13 @@ double name_sleeves(SeamModel& m) {
   return wrist;
 }
 
-/// Length of the edges of pieces of that kind that face up, or down, mm.
+/// Length of the edges of pieces of that kind that face up, or down, but for hollow ones below an arm, mm.
 double ends_of(const SeamModel& m, PieceKind kind, bool up) {
   double sum = 0;
   for (const SeamRun& run : m.runs)
     if (m.words[run.panel].kind == kind && !m.words[run.panel].layer &&
-        (up ? run.up > kPairWeights.facing : run.up < -kPairWeights.facing))
+        (up ? run.up > kPairWeights.facing
+            : run.up < -kPairWeights.facing && run.turn.back() > kPairWeights.hollow_deg))
       sum += run.length;
   return sum;
 }
@@ -212,10 +240,20 @@ double neck_of(const SeamModel& m) {
     if (m.words[p].kind != PieceKind::kTorso) continue;
     for (const Shoulder& shoulder : shoulders_of(m, p))
       if (std::find(necks.begin(), necks.end(), shoulder.neck) == necks.end()) necks.push_back(shoulder.neck);
+    if (const SeamRun* neck = cut_on_neck(m, p)) necks.push_back(neck);
   }
   double sum = 0;
   for (const SeamRun* neck : necks) sum += neck->length;
   return sum;
+}
+
+/// Length around a wrist of sleeves that are cut on, where the shoulders end, mm; 0 where there are none.
+double cut_on_wrist(const SeamModel& m) {
+  double wrist = 0;
+  for (Index p = 0; p < pieces(m); ++p)
+    if (const SeamRun* neck = m.words[p].kind == PieceKind::kTorso ? cut_on_neck(m, p) : nullptr)
+      wrist += m.runs[m.runs[neck->next].next].length;
+  return wrist;
 }
 
 /// Length of the long sides of a strip that is that many times as long as wide, mm; 0 of what is none.
@@ -306,6 +344,9 @@ void name_shapes(SeamModel& m) {
   std::vector<std::vector<Shoulder>> shoulders;
   shoulders.reserve(m.words.size());
   for (Index p = 0; p < pieces(m); ++p) shoulders.push_back(shoulders_of(m, p));
+  std::vector<double> cut_on;
+  cut_on.reserve(m.words.size());
+  for (Index p = 0; p < pieces(m); ++p) cut_on.push_back(cut_on_shoulder(m, p));
   std::vector<char> crotch;
   crotch.reserve(m.words.size());
   for (Index p = 0; p < pieces(m); ++p) crotch.push_back(shoulders[p].empty() && has_leg_crotch(m, p));
@@ -315,7 +356,8 @@ void name_shapes(SeamModel& m) {
     bool torso = false, legs = false;
     for (Index q = 0; q < pieces(m); ++q) {
       if (same_edges(m, p, q)) continue;
-      torso = torso || share_length(shoulders[p], shoulders[q]);
+      torso = torso || share_length(shoulders[p], shoulders[q]) ||
+              (cut_on[p] > 0 && equally_long(cut_on[p], cut_on[q]));
       legs = legs || (crotch[p] && crotch[q]);
     }
     if (torso) guess(words, PieceKind::kTorso);
@@ -331,7 +373,7 @@ void name_by_fit(SeamModel& m) {
   tell_faces(m, of_kind(m, PieceKind::kTorso), kNeck, [&](Index p) { return neck_depth(m, p); });
   tell_faces(m, of_kind(m, PieceKind::kLegs), kCrotch,
              [&](Index p) -> std::optional<double> { return -crotch_length(m, p); });
-  const double wrist = name_sleeves(m);
+  const double sleeves = name_sleeves(m), wrist = sleeves > 0 ? sleeves : cut_on_wrist(m);
   name_strips(m, wrist);
   name_hoods(m);
 }

@@ -109,6 +109,17 @@ double front_edge(const SeamModel& m, const SeamRun& middle) {
   return edge;
 }
 
+/// Whether a straight hem faces down between two edges that are alike, as under the arm of a short sleeve.
+bool stands_on_hem(const SeamModel& m, Index panel) {
+  constexpr double kAlike = 0.03, kLikeUp = 0.1, kLeast = 0.2;  // of the length; facing; of the outline
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& hem) {
+    if (hem.panel != panel || hem.up > -kPairWeights.facing_fully || !hem.straight) return false;
+    const SeamRun &after = m.runs[hem.next], &before = run_before(m, hem);
+    return hem.length > kLeast * m.girth[panel] && difference(after, before) < kAlike &&
+           std::abs(after.up - before.up) < kLikeUp;
+  });
+}
+
 }  // namespace
 
 bool has_leg_crotch(const SeamModel& m, Index panel) {
@@ -221,7 +232,8 @@ void find_standing_sleeves(SeamModel& m) {
       if (there == nullptr || run.length > there->length) there = &run;
     }
     m.upright[p] =
-        longest[0] != nullptr && longest[1] != nullptr && difference(*longest[0], *longest[1]) < kAlike;
+        (longest[0] != nullptr && longest[1] != nullptr && difference(*longest[0], *longest[1]) < kAlike) ||
+        stands_on_hem(m, p);
   }
 }
 

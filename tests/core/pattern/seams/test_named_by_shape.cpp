@@ -97,6 +97,43 @@ TEST(NamedByShape, TrousersAreToldByTheirCrotchesAndTheirWaistband) {
   EXPECT_EQ(m.words.back().kind, PieceKind::kBand);
 }
 
+/// Sleeves are cut on, the side is parted by a blunt corner; edges: hem, side, lower arm, wrist, upper arm,
+/// neck, …
+pattern::Panel dolman(const std::string& name, double neck) {
+  return piece(name, {{-310, 0},
+                      {310, 0},
+                      {365, 120, Vec2{400, 300}, Vec2{500, 330}},
+                      {690, 330},
+                      {750, 450},
+                      {100, 660, Vec2{60, neck}, Vec2{-60, neck}},
+                      {-100, 660},
+                      {-750, 450},
+                      {-690, 330, Vec2{-500, 330}, Vec2{-400, 300}},
+                      {-365, 120}});
+}
+
+TEST(NamedByShape, SleevesThatAreCutOnTellABodiceAndItsRibs) {
+  const pattern::Panel cuff = strip("5", 220, 140);
+  const Panels panels{dolman("1", 520),
+                      dolman("2", 620),
+                      strip("3", 400, 50),
+                      strip("4", 1100, 160),
+                      cuff,
+                      mirrored(cuff, "5_mirrored")};
+  const seams::SeamModel m = seams::make_seam_model({panels, {}});
+  EXPECT_EQ(m.words[0].kind, PieceKind::kTorso);
+  EXPECT_EQ(m.words[0].face, 1);
+  EXPECT_EQ(m.words[1].face, -1);
+  EXPECT_EQ(m.words[2].kind, PieceKind::kCollar);
+  EXPECT_EQ(m.words[3].kind, PieceKind::kBand);
+  EXPECT_EQ(m.words[4].kind, PieceKind::kCuff);
+  const WornSeams worn(panels);
+  EXPECT_TRUE(worn.has({"1.e4"}, {"2.e6"}) && worn.has({"1.e6"}, {"2.e4"})) << worn.text();
+  EXPECT_TRUE(worn.has({"1.e2"}, {"2.e8"}) && worn.has({"1.e8"}, {"2.e2"}))
+      << "below the arm, where the side goes on\n"
+      << worn.text();
+}
+
 TEST(NamedByShape, NamesGoBeforeShapes) {
   Panels panels = shirt_of_numbers();
   panels[0].id = "Front";

@@ -294,5 +294,30 @@ TEST(Offices, TrousersWhosePocketsAreCutAwayAreNoBodices) {
       << "by its shape alone it may be one";
 }
 
+TEST(Offices, ASideThatAllNamesTellIsNone) {
+  const pattern::Panel arm = sleeve("Sleeve_L", 110);
+  const seams::SeamModel size =
+      seams::make_seam_model({{shirt("Front_L", 520), shirt("Back_L", 600), arm}, {}});
+  for (const seams::PieceWords& words : size.words) EXPECT_EQ(words.side, 0);
+  const seams::SeamModel sides =
+      seams::make_seam_model({{shirt("Front", 520), shirt("Back", 600), arm, sleeve("Sleeve_R", 110)}, {}});
+  EXPECT_EQ(sides.words[2].side, -1);
+  EXPECT_EQ(sides.words[3].side, 1);
+}
+
+TEST(Offices, AShortSleeveOfTwoCapHalvesStandsOnItsHem) {
+  const auto short_sleeve = [](double under) {
+    return piece("Sleeve", {{-170, 0},
+                            {170, 0},
+                            {185, 30, Vec2{120, 40}, Vec2{80, 150}},
+                            {0, 160, Vec2{-80, 150}, Vec2{-120, 40}},
+                            {-185, under}});
+  };
+  const auto stands = [](const pattern::Panel& panel) {
+    return seams::make_seam_model({{shirt("Front", 520), shirt("Back", 600), panel}, {}}).upright[2] != 0;
+  };
+  EXPECT_TRUE(stands(short_sleeve(30)));
+}
+
 }  // namespace
 }  // namespace toile
