@@ -165,6 +165,16 @@ std::optional<FlatFit> fit_at(const std::vector<Vec2>& points, const GarmentPiec
   return fit.rms < kAlike * size_of(to) ? std::optional(fit) : std::nullopt;
 }
 
+/// A hand that all names tell is a size ("_L") or the half that is drawn.
+void forget_common_hand(std::vector<GarmentPiece>& pieces) {
+  constexpr std::size_t kGarment = 3;  // pieces
+  const bool common = std::all_of(pieces.begin(), pieces.end(), [&](const GarmentPiece& piece) {
+    return piece.hand == pieces.front().hand;
+  });
+  if (!common || pieces.size() < kGarment) return;
+  for (GarmentPiece& piece : pieces) piece.hand = 0;
+}
+
 }  // namespace
 
 GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes) {
@@ -184,6 +194,7 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
     piece.hand = -words.side;
     graph.pieces.push_back(std::move(piece));
   }
+  forget_common_hand(graph.pieces);
   for (const mesh::MatchedSeam& seam : meshes.seams) {
     for (const mesh::SewnPair& pair : seam.pairs) {
       for (const mesh::PanelVertex& v : {pair.a, pair.b}) {

@@ -111,5 +111,20 @@ TEST(LayOutTrunk, ADeepBackIsBehindWhereNamesSayIt) {
   EXPECT_EQ(layout.face[1], -1);
 }
 
+TEST(GarmentKind, AHandThatAllNamesTellIsNone) {
+  const auto hands = [](std::array<const char*, 3> names) {
+    pattern::Pattern pattern = ring_of_two(300);
+    pattern.panels.push_back(test::polygon("p2", {{0, 0}, {200, 0}, {200, 300}, {0, 300}}));
+    for (std::size_t p = 0; p < names.size(); ++p) pattern.panels[p].id = names[p];
+    const mesh::PanelMeshes meshes = mesh::make_panel_meshes(pattern, 0.02, {}).value();
+    std::array<int, 3> told{};
+    const arrange::GarmentGraph graph = arrange::make_garment_graph(pattern, meshes);
+    for (std::size_t p = 0; p < told.size(); ++p) told[p] = graph.pieces[p].hand;
+    return told;
+  };
+  EXPECT_EQ(hands({"Front_L", "Back_L", "Sleeve_L"}), (std::array<int, 3>{0, 0, 0})) << "a size";
+  EXPECT_EQ(hands({"Front", "Back", "Sleeve_L"}), (std::array<int, 3>{0, 0, 1}));
+}
+
 }  // namespace
 }  // namespace toile
