@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
+#include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/model.h"
 #include "core/pattern/seams/propose.h"
 #include "tests/core/pattern/garments.h"
@@ -102,13 +104,13 @@ TEST(NamedByShape, TrousersAreToldByTheirCrotchesAndTheirWaistband) {
 pattern::Panel dolman(const std::string& name, double neck) {
   return piece(name, {{-310, 0},
                       {310, 0},
-                      {365, 120, Vec2{400, 300}, Vec2{500, 330}},
+                      {365, 120, Vec2{420, 330}, Vec2{500, 330}},
                       {690, 330},
                       {750, 450},
                       {100, 660, Vec2{60, neck}, Vec2{-60, neck}},
                       {-100, 660},
                       {-750, 450},
-                      {-690, 330, Vec2{-500, 330}, Vec2{-400, 300}},
+                      {-690, 330, Vec2{-500, 330}, Vec2{-420, 330}},
                       {-365, 120}});
 }
 
@@ -127,6 +129,8 @@ TEST(NamedByShape, SleevesThatAreCutOnTellABodiceAndItsRibs) {
   EXPECT_EQ(m.words[2].kind, PieceKind::kCollar);
   EXPECT_EQ(m.words[3].kind, PieceKind::kBand);
   EXPECT_EQ(m.words[4].kind, PieceKind::kCuff);
+  const std::array<double, 2> below_arm = seams::pair_merit(m, 2, 18);  // e2 of the front, e8 of the back
+  EXPECT_GT(std::max(below_arm[0], below_arm[1]), 4) << "no two armholes";
   const WornSeams worn(panels);
   EXPECT_TRUE(worn.has({"1.e4"}, {"2.e6"}) && worn.has({"1.e6"}, {"2.e4"})) << worn.text();
   EXPECT_TRUE(worn.has({"1.e2"}, {"2.e8"}) && worn.has({"1.e8"}, {"2.e2"}))
