@@ -165,20 +165,11 @@ std::optional<FlatFit> fit_at(const std::vector<Vec2>& points, const GarmentPiec
   return fit.rms < kAlike * size_of(to) ? std::optional(fit) : std::nullopt;
 }
 
-/// A hand that all names tell is a size ("_L") or the half that is drawn.
-void forget_common_hand(std::vector<GarmentPiece>& pieces) {
-  constexpr std::size_t kGarment = 3;  // pieces
-  const bool common = std::all_of(pieces.begin(), pieces.end(), [&](const GarmentPiece& piece) {
-    return piece.hand == pieces.front().hand;
-  });
-  if (!common || pieces.size() < kGarment) return;
-  for (GarmentPiece& piece : pieces) piece.hand = 0;
-}
-
 }  // namespace
 
 GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes) {
   GarmentGraph graph;
+  const std::vector<seams::PieceWords> words = seams::words_of_garment(pattern);
   std::vector<std::vector<Index>> numbers;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     GarmentPiece piece;
@@ -187,14 +178,12 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
     measure(piece);
     piece.sewn.assign(piece.outline.size(), false);
     piece.grain = meshes.panels[p].warp;
-    piece.strap = seams::words_of(piece.id).kind == seams::PieceKind::kStrap;
+    piece.strap = words[p].kind == seams::PieceKind::kStrap;
     piece.cover = cover_of_name(piece.id);
-    const seams::PieceWords words = seams::words_of(piece.id);
     piece.face = face_of_name(piece.id);
-    piece.hand = -words.side;
+    piece.hand = -words[p].side;
     graph.pieces.push_back(std::move(piece));
   }
-  forget_common_hand(graph.pieces);
   for (const mesh::MatchedSeam& seam : meshes.seams) {
     for (const mesh::SewnPair& pair : seam.pairs) {
       for (const mesh::PanelVertex& v : {pair.a, pair.b}) {

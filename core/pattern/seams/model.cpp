@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -198,89 +197,6 @@ void find_between(SeamModel& m) {
   }
 }
 
-/// Whether what slopes upwards on the piece goes down to its hem, as the sides of half a circle do.
-bool slopes_to_hem(const SeamModel& m, Index panel) {
-  return std::all_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-    const bool slopes = run.up > kPairWeights.facing && bend_of(run) < kPairWeights.straight_deg;
-    return run.panel != panel || !slopes || begins_at_hem(m, run);
-  });
-}
-
-/// Whether the piece has a crotch and what may be its shoulders is level: trousers whose pockets are cut into
-/// their sides.
-bool is_level_leg(const SeamModel& m, Index panel) {
-  return has_leg_crotch(m, panel) && std::none_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-           return run.panel == panel && run.up > kPairWeights.facing && run.up < kPairWeights.level_up &&
-                  bend_of(run) < kPairWeights.straight_deg;
-         });
-}
-
-/// What is only called front, back or side is of the trunk where it has shoulders; or where sleeves, collars,
-/// hoods, straps or others with shoulders say that it is a top, and nothing else says what covers the trunk.
-/// Below a waistband half a circle is no cape.
-void name_trunk(SeamModel& m) {
-  using enum PieceKind;
-  std::vector<PieceWords>& words = m.words;
-  const auto any = [&](std::initializer_list<PieceKind> kinds) {
-    return std::any_of(words.begin(), words.end(), [&](const PieceWords& w) {
-      return std::find(kinds.begin(), kinds.end(), w.kind) != kinds.end();
-    });
-  };
-  const auto unnamed = [](const PieceWords& w) { return w.kind == kOther && !w.limb && !w.layer; };
-  const bool covered = any({kTorso, kSkirt, kLegs}), banded = any({kBand});
-  bool top = any({kSleeve, kCollar, kHood}) ||
-             std::any_of(words.begin(), words.end(), [](const PieceWords& w) { return w.over_shoulder; });
-  for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
-    if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
-    if (banded && (slopes_to_hem(m, p) || is_level_leg(m, p))) continue;
-    words[p].kind = kTorso;
-    words[p].guessed = true;
-    top = true;
-  }
-  if (!top || covered) return;
-  for (PieceWords& w : words) {
-    if (!unnamed(w) || (w.face == 0 && !w.flank)) continue;
-    w.kind = kTorso;
-    w.guessed = true;
-  }
-}
-
-/// "RT" alone is right; beside a "VT" (Vorderteil) it is the back (Rückenteil).
-void tell_backs_of_vt(const pattern::Pattern& pattern, SeamModel& m) {
-  const auto is = [](const pattern::Panel& panel, const char* word) {
-    const std::string id = lower_case(panel.id);
-    return id == word || id.starts_with(std::string(word) + "_mirrored");
-  };
-  if (std::none_of(pattern.panels.begin(), pattern.panels.end(),
-                   [&](const pattern::Panel& panel) { return is(panel, "vt"); }))
-    return;
-  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    if (!is(pattern.panels[p], "rt")) continue;
-    m.words[p].face = -1;
-    m.words[p].side = 0;
-  }
-}
-
-/// A side that all names tell is a size ("_L") or the half that is drawn.
-void forget_common_side(SeamModel& m) {
-  constexpr std::size_t kGarment = 3;  // pieces
-  const int side = m.words.empty() ? 0 : m.words.front().side;
-  const bool common = std::all_of(m.words.begin(), m.words.end(),
-                                  [&](const PieceWords& words) { return words.side == side; });
-  if (!common || m.words.size() < kGarment) return;
-  for (PieceWords& words : m.words) words.side = 0;
-}
-
-/// The bands that end a top hang from it, as waistbands do.
-void name_hem_bands(SeamModel& m) {
-  const auto any = [&](PieceKind kind) {
-    return std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) { return w.kind == kind; });
-  };
-  if (!any(PieceKind::kTorso) || any(PieceKind::kSkirt) || any(PieceKind::kLegs)) return;
-  for (PieceWords& w : m.words)
-    if (w.hem_band) w.kind = PieceKind::kBand;
-}
-
 /// `line_turn`: an armhole may be drawn in parts, which go on from one to the next.
 void find_line_turns(SeamModel& m) {
   const auto bend = [&](Index to) { return 180 - m.runs[to].angle; };  // where it begins, degrees
@@ -307,15 +223,6 @@ void find_line_turns(SeamModel& m) {
     if (!follows[r]) add_up(r);
   for (Index r = 0; r < static_cast<Index>(m.runs.size()); ++r)
     if (!done[r]) add_up(r);  // an outline without a corner
-}
-
-/// Without arms a garment with legs has its cuffs there, whether their names say so or not.
-void name_leg_cuffs(SeamModel& m) {
-  const auto any = [&](auto is) { return std::any_of(m.words.begin(), m.words.end(), is); };
-  using enum PieceKind;
-  if (any([](const PieceWords& w) { return w.kind == kSleeve || w.kind == kTorso; })) return;
-  if (!any([](const PieceWords& w) { return w.kind == kLegs; })) return;
-  for (PieceWords& w : m.words) w.leg = w.leg || w.kind == kCuff;
 }
 
 }  // namespace
@@ -395,9 +302,9 @@ int hangs_from(const SeamModel& m, Index lower, Index upper) {
 
 SeamModel make_seam_model(const pattern::Pattern& pattern) {
   SeamModel model;
+  model.words = words_of_garment(pattern);
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    model.words.push_back(words_of(pattern.panels[p].id));
-    const PieceWords& words = model.words.back();
+    const PieceWords& words = model.words[p];
     const bool half_cuff = words.kind == PieceKind::kCuff && words.face != 0;
     const bool strip = pattern.panels[p].outline.edges.size() == 4;  // a collar's stand has a shape
     const bool neckband = words.stand && words.kind == PieceKind::kCollar && strip;
@@ -414,8 +321,6 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   }
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
-  tell_backs_of_vt(pattern, model);
-  forget_common_side(model);
   find_second_layers(pattern, model);
   name_trunk(model);
   name_hem_bands(model);

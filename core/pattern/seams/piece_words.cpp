@@ -7,6 +7,8 @@
 #include <iterator>
 #include <vector>
 
+#include "core/base/text.h"
+#include "core/pattern/pattern.h"
 #include "core/pattern/seams/piece_language.h"
 
 namespace toile::seams {
@@ -156,6 +158,29 @@ PieceWords words_of(const std::string& name) {
     if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
   }
   return words;
+}
+
+std::vector<PieceWords> words_of_garment(const pattern::Pattern& pattern) {
+  constexpr std::size_t kGarment = 3;                                         // pieces
+  const auto is = [](const pattern::Panel& panel, const std::string& word) {  // or a copy of it, turned over
+    const std::string id = lower_case(panel.id);
+    return id == word || id.starts_with(word + "_mirrored");
+  };
+  const bool german = std::any_of(pattern.panels.begin(), pattern.panels.end(),
+                                  [&](const pattern::Panel& panel) { return is(panel, "vt"); });
+  std::vector<PieceWords> all;
+  all.reserve(pattern.panels.size());
+  for (const pattern::Panel& panel : pattern.panels) {
+    PieceWords& words = all.emplace_back(words_of(panel.id));
+    if (!german || !is(panel, "rt")) continue;
+    words.face = -1;
+    words.side = 0;
+  }
+  const bool common = std::all_of(all.begin(), all.end(),
+                                  [&](const PieceWords& words) { return words.side == all.front().side; });
+  if (common && all.size() >= kGarment)
+    for (PieceWords& words : all) words.side = 0;
+  return all;
 }
 
 }  // namespace toile::seams

@@ -2,6 +2,11 @@
 // What the names of pieces say: what kind of piece it is, for which side and face of the body.
 
 #include <string>
+#include <vector>
+
+namespace toile::pattern {
+struct Pattern;
+}
 
 namespace toile::seams {
 
@@ -49,5 +54,10 @@ bool ever_meet(PieceKind a, PieceKind b);
 
 /// The words of one name, such as "left_sleeve_f", "FrontL" or "BK-2".
 PieceWords words_of(const std::string& name);
+
+/// The words of the panels' names, where one tells of another: "RT" alone is right, but beside a "VT"
+/// (Vorderteil) it is a back (Rückenteil); and a side that three or more names all tell is a size ("_L") or
+/// the half that is drawn, and no side.
+std::vector<PieceWords> words_of_garment(const pattern::Pattern& pattern);
 
 }  // namespace toile::seams

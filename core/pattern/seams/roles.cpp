@@ -120,11 +120,72 @@ bool stands_on_hem(const SeamModel& m, Index panel) {
   });
 }
 
+/// Whether what slopes upwards on the piece goes down to its hem, as the sides of half a circle do.
+bool slopes_to_hem(const SeamModel& m, Index panel) {
+  return std::all_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+    const bool slopes = run.up > kPairWeights.facing && bend_of(run) < kPairWeights.straight_deg;
+    return run.panel != panel || !slopes || begins_at_hem(m, run);
+  });
+}
+
+/// Whether the piece has a crotch and what may be its shoulders is level: trousers whose pockets are cut into
+/// their sides.
+bool is_level_leg(const SeamModel& m, Index panel) {
+  return has_leg_crotch(m, panel) && std::none_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+           return run.panel == panel && run.up > kPairWeights.facing && run.up < kPairWeights.level_up &&
+                  bend_of(run) < kPairWeights.straight_deg;
+         });
+}
+
 }  // namespace
 
 bool has_leg_crotch(const SeamModel& m, Index panel) {
   return std::any_of(m.runs.begin(), m.runs.end(),
                      [&](const SeamRun& run) { return run.panel == panel && is_leg_crotch(m, run); });
+}
+
+void name_trunk(SeamModel& m) {
+  using enum PieceKind;
+  std::vector<PieceWords>& words = m.words;
+  const auto any = [&](std::initializer_list<PieceKind> kinds) {
+    return std::any_of(words.begin(), words.end(), [&](const PieceWords& w) {
+      return std::find(kinds.begin(), kinds.end(), w.kind) != kinds.end();
+    });
+  };
+  const auto unnamed = [](const PieceWords& w) { return w.kind == kOther && !w.limb && !w.layer; };
+  const bool covered = any({kTorso, kSkirt, kLegs}), banded = any({kBand});
+  bool top = any({kSleeve, kCollar, kHood}) ||
+             std::any_of(words.begin(), words.end(), [](const PieceWords& w) { return w.over_shoulder; });
+  for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
+    if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
+    if (banded && (slopes_to_hem(m, p) || is_level_leg(m, p))) continue;
+    words[p].kind = kTorso;
+    words[p].guessed = true;
+    top = true;
+  }
+  if (!top || covered) return;
+  for (PieceWords& w : words) {
+    if (!unnamed(w) || (w.face == 0 && !w.flank)) continue;
+    w.kind = kTorso;
+    w.guessed = true;
+  }
+}
+
+void name_hem_bands(SeamModel& m) {
+  const auto any = [&](PieceKind kind) {
+    return std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) { return w.kind == kind; });
+  };
+  if (!any(PieceKind::kTorso) || any(PieceKind::kSkirt) || any(PieceKind::kLegs)) return;
+  for (PieceWords& w : m.words)
+    if (w.hem_band) w.kind = PieceKind::kBand;
+}
+
+void name_leg_cuffs(SeamModel& m) {
+  const auto any = [&](auto is) { return std::any_of(m.words.begin(), m.words.end(), is); };
+  using enum PieceKind;
+  if (any([](const PieceWords& w) { return w.kind == kSleeve || w.kind == kTorso; })) return;
+  if (!any([](const PieceWords& w) { return w.kind == kLegs; })) return;
+  for (PieceWords& w : m.words) w.leg = w.leg || w.kind == kCuff;
 }
 
 void name_legs(SeamModel& m) {

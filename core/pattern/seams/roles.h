@@ -1,7 +1,7 @@
 #pragma once
 // What single edges of a piece are by their shape and place: sleeves' caps, sides of wide skirts, the edges
-// of fronts that open. The parts of make_seam_model() that fill in what SeamModel says of it; each REQUIRES
-// what stands before it there.
+// of fronts that open; and what kinds of pieces the others' names and such edges tell. The parts of
+// make_seam_model() that fill in what SeamModel says of it; each REQUIRES what stands before it there.
 
 #include "core/pattern/seams/model.h"
 
@@ -10,6 +10,17 @@ namespace toile::seams {
 /// Whether the piece has a hollow edge between an inner leg and the waist, with a side that goes from there
 /// to the hem.
 bool has_leg_crotch(const SeamModel& m, Index panel);
+
+/// What is only called front, back or side is of the trunk where it has shoulders; or where sleeves, collars,
+/// hoods, straps or others with shoulders say that it is a top, and nothing else says what covers the trunk.
+/// Below a waistband half a circle is no cape.
+void name_trunk(SeamModel& m);
+
+/// The bands that end a top hang from it, as waistbands do.
+void name_hem_bands(SeamModel& m);
+
+/// Without arms a garment with legs has its cuffs there, whether their names say so or not.
+void name_leg_cuffs(SeamModel& m);
 
 /// `words`: fronts and backs in halves, of a garment that names no kind but a waistband, are legs where they
 /// have a crotch. REQUIRES twins.
@@ -24,7 +35,8 @@ void name_skirts(SeamModel& m);
 void find_caps(SeamModel& m);
 
 /// `upright` of sleeves whose two longest edges along the grain are as long as each other and face apart:
-/// they are sewn under the arm, so that the sleeve stands. A sleeve that lies has its ends there.
+/// they are sewn under the arm, so that the sleeve stands; or of those with a straight hem that faces down
+/// between two edges that are alike. A sleeve that lies has its ends there.
 void find_standing_sleeves(SeamModel& m);
 
 /// `raglan`. REQUIRES caps and standing sleeves.
