@@ -169,9 +169,10 @@ class Layer {
   }
 
   /// Two equal pieces without names of their faces may be a front and its back as well: those are sewn along
-  /// most of their outlines.
+  /// most of their outlines, or at both sides.
   bool can_be_images(Index p, Index q) const {
     if (piece(p).face != 0 || piece(p).hand != 0) return true;
+    if (sewn_around(graph_, p, q)) return false;
     std::size_t between = 0, all = 0;
     for (const GarmentTie& tie : graph_.ties) {
       const bool on_p = tie.a == p || tie.b == p;

@@ -6,6 +6,7 @@
 #include "core/arrange/piece_cover.h"
 #include "core/geometry/polygon2.h"
 #include "core/mesh/sewn_part.h"
+#include "core/pattern/seams/named_by_shape.h"
 #include "core/pattern/seams/piece_words.h"
 
 namespace toile::arrange {
@@ -169,7 +170,7 @@ std::optional<FlatFit> fit_at(const std::vector<Vec2>& points, const GarmentPiec
 
 GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes) {
   GarmentGraph graph;
-  const std::vector<seams::PieceWords> words = seams::words_of_garment(pattern);
+  const std::vector<seams::PieceWords> words = seams::words_or_shapes_of(pattern);
   std::vector<std::vector<Index>> numbers;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     GarmentPiece piece;
@@ -179,8 +180,8 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
     piece.sewn.assign(piece.outline.size(), false);
     piece.grain = meshes.panels[p].warp;
     piece.strap = words[p].kind == seams::PieceKind::kStrap;
-    piece.cover = cover_of_name(piece.id);
-    piece.face = face_of_name(piece.id);
+    piece.cover = words[p].guessed ? cover_of_kind(words[p].kind) : cover_of_name(piece.id);
+    piece.face = words[p].guessed ? words[p].face : face_of_name(piece.id);
     piece.hand = -words[p].side;
     graph.pieces.push_back(std::move(piece));
   }
@@ -228,10 +229,6 @@ std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to,
   return ways.empty() ? std::nullopt : std::optional(ways.front());
 }
 
-namespace {
-
-// Whether two pieces are sewn together all around: a front and a back, not a left and a right. Seen from the
-// piece's middle, a seam down the centre lies on one side, side seams lie on both.
 bool sewn_around(const GarmentGraph& graph, Index piece, Index other) {
   constexpr double kOneSided = 0.4;
   const Vec2 middle = graph.pieces[static_cast<size_t>(piece)].centroid;
@@ -247,8 +244,6 @@ bool sewn_around(const GarmentGraph& graph, Index piece, Index other) {
   }
   return count > 0 && std::sqrt(sum.x * sum.x + sum.y * sum.y) < kOneSided * count;
 }
-
-}  // namespace
 
 Index mirror_partner(const GarmentGraph& graph, Index piece) {
   const GarmentPiece& own = graph.pieces[static_cast<size_t>(piece)];

@@ -55,6 +55,10 @@ std::vector<FlatMove> ways_to_lay_on(const GarmentPiece& from, const GarmentPiec
 /// The first of these.
 std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to, bool mirrored);
 
+/// Whether two pieces are sewn together all around: a front and a back, not a left and a right. Seen from the
+/// piece's middle, a seam down the centre lies on one side, side seams lie on both.
+bool sewn_around(const GarmentGraph& graph, Index piece, Index other);
+
 /// The other piece that is `piece`'s mirror image in the garment: of one outline, mirrored, and worn on the
 /// other side where names tell that. kNone where there is none, or several of which none stands out.
 Index mirror_partner(const GarmentGraph& graph, Index piece);

@@ -96,6 +96,31 @@ const char* name_of(Cover cover) {
   }
 }
 
+Cover cover_of_kind(seams::PieceKind kind) {
+  using enum seams::PieceKind;
+  switch (kind) {
+    case kCollar:
+      return Cover::kCollar;
+    case kHood:
+      return Cover::kHood;
+    case kTorso:
+      return Cover::kTorso;
+    case kBand:
+      return Cover::kWaistband;
+    case kSkirt:
+    case kFrill:
+      return Cover::kSkirt;
+    case kLegs:
+      return Cover::kLeg;
+    case kSleeve:
+      return Cover::kSleeve;
+    case kCuff:
+      return Cover::kCuff;
+    default:
+      return Cover::kUnknown;
+  }
+}
+
 int face_of_name(const std::string& name) {
   if (const int told = seams::words_of(name).face; told != 0) return told;
   for (const std::string& w : seams::words_of_piece(name)) {

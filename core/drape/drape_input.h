@@ -1,6 +1,7 @@
 #pragma once
 // All that a drape needs, in the core's own terms: what a project document becomes once its files are read.
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,6 +39,12 @@ struct DrapeInput {
   std::shared_ptr<const warm::HungGarment> before = nullptr;
   std::vector<LeftOut> left_out;         ///< not in `pattern` (core/drape/worn_part.h, fit_start.h)
   std::vector<pattern::Seam> left_open;  ///< not in `pattern`: cannot be sewn (core/drape/left_open.h)
+
+  /// Whether something holds it for good, as the hooks of a curtain do: not until friction carries it.
+  bool hangs_by_hooks() const {
+    return std::any_of(attachments.begin(), attachments.end(),
+                       [](const sewing::Attachment& a) { return a.release_after < 0; });
+  }
 };
 
 }  // namespace toile::drape

@@ -30,7 +30,7 @@ constexpr double kFormTime = 0.5;  // s
 constexpr double kSoonestRest = std::max(kGravityRamp, kFormTime) + 0.2;  // s
 /// What only its elastic holds would be on the floor before that has gathered it: gravity waits so long.
 double gathering_time(const DrapeInput& input) {
-  return input.notions.elastics.empty() || !input.attachments.empty() ? 0 : kFormTime;
+  return input.notions.elastics.empty() || input.hangs_by_hooks() ? 0 : kFormTime;
 }
 /// Seams this close are shut.
 constexpr double kSeamShut = 0.3e-3;  // m

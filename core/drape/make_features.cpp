@@ -47,7 +47,7 @@ std::vector<solver::constraints::ElasticSegment> elastics_of(const DrapeInput& i
   for (std::size_t i = 0; i < input.notions.elastics.size(); ++i) {
     const sewing::Elastic& elastic = input.notions.elastics[i];
     // What hangs by hooks is gathered by their places, and its band goes from hook to hook.
-    const bool gathers = elastic.factor < 1 && input.attachments.empty();
+    const bool gathers = elastic.factor < 1 && !input.hangs_by_hooks();
     for (const std::vector<Index>& chain : assembly.notions.elastics[i]) {
       // Between a band's segments the cloth buckles: one edge alone cannot, and would have to be squeezed.
       const std::size_t edges = chain.size() - 1, stride = gathers ? kGathered : 1;

@@ -9,6 +9,7 @@
 
 #include "core/base/text.h"
 #include "core/geometry/polygon2.h"
+#include "core/pattern/dxf/told_quantity.h"
 #include "core/pattern/dxf/words.h"
 
 namespace toile::dxf {
@@ -52,21 +53,22 @@ bool is_word(const std::string& text) {
   return letters >= 2 && text.front() != '#';
 }
 
-/// "Quantity: 2" and the like. Two of a kind are a left one and a right one; what is cut on the fold is its
-/// own mirror image.
+/// Two of a kind are a left one and a right one; what is cut on the fold is its own mirror image.
+void count(DxfPiece& piece, const DxfQuantity& quantity) {
+  piece.quantity = quantity.as_drawn + quantity.mirrored;
+  piece.counted = true;
+  piece.mirrored = quantity.told_apart || piece.unfolded ? quantity.mirrored : piece.quantity / 2;
+}
+
+/// "Quantity: 2" and the like.
 std::string take_quantity(DxfFound& found, const std::string& value, int line, DxfNotes& notes) {
   const auto quantity = quantity_of(value);
-  const int sum = quantity ? quantity->as_drawn + quantity->mirrored : 0;
-  if (sum < 1) {
+  if (!quantity || quantity->as_drawn + quantity->mirrored < 1) {
     notes.warn(line, "the quantity says '" + value + "'; one piece is read", found.id);
     return "quantity, of no use";
   }
-  DxfPiece& piece = found.piece;
-  const bool pairs = !quantity->told_apart && !piece.unfolded;
-  piece.quantity = sum;
-  piece.counted = true;
-  piece.mirrored = pairs ? sum / 2 : quantity->mirrored;
-  return piece.mirrored > 0 ? "quantity, some of them turned over" : "quantity";
+  count(found.piece, *quantity);
+  return found.piece.mirrored > 0 ? "quantity, some of them turned over" : "quantity";
 }
 
 std::string take_annotation(DxfFound& found, const std::string& value, int line, DxfNotes& notes) {
@@ -204,6 +206,10 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
       if (!told.empty()) named.notes.mark(text.entity, DxfFate::kConverted, told, found.id);
       continue;
     }
+    if (const auto quantity = told_quantity(text.text); quantity && !found.piece.counted) {
+      count(found.piece, *quantity);
+      named.notes.mark(text.entity, DxfFate::kConverted, "quantity", found.id);
+    }
     std::optional<Title>& best = titles[nearest->piece];
     if (!best || title.better(*best)) best = title;
   }
@@ -214,6 +220,22 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
     named.notes.mark(titles[i]->entity, DxfFate::kConverted, "name of the piece", found.id);
   }
   return named;
+}
+
+std::vector<DxfFound> counted_by_names(std::vector<DxfFound> pieces) {
+  constexpr std::size_t kSeveral = 3;  // pieces
+  std::map<std::string, int> drawn;
+  std::set<int> told;
+  for (const DxfFound& p : pieces) {
+    const auto quantity = told_quantity(p.piece.name);
+    told.insert(quantity ? quantity->as_drawn : 0);
+    ++drawn[p.piece.name];
+  }
+  if (told.size() == 1 && pieces.size() >= kSeveral) return pieces;  // "2X" is a size
+  for (DxfFound& p : pieces)
+    if (const auto quantity = told_quantity(p.piece.name); quantity && !p.piece.counted)
+      if (drawn[p.piece.name] == 1) count(p.piece, *quantity);
+  return pieces;
 }
 
 std::vector<DxfFound> named_apart(std::vector<DxfFound> pieces) {

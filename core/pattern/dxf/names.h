@@ -24,6 +24,10 @@ DxfNamed named_by_place(std::vector<DxfFound> pieces, const DxfPlace& place, dou
 DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>& texts,
                         const DxfTransform& to_mm, const DxfLog& log);
 
+/// With the quantities that names tell, where nothing else tells any: but not where all names tell the same,
+/// which is a size then, nor where each of several pieces of one name is drawn.
+std::vector<DxfFound> counted_by_names(std::vector<DxfFound> pieces);
+
 /// Those without a name get a number and twins a suffix.
 std::vector<DxfFound> named_apart(std::vector<DxfFound> pieces);
 

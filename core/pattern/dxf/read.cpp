@@ -170,7 +170,7 @@ Result<Attempt> read_all(const Drawing& drawing, const DxfReading& reading) {
   const DxfTransform to_mm = DxfTransform{}.scaled(reading.mm_per_unit);
   DxfNamed named = named_by_texts(std::move(attempt.pieces), drawing.file.entities.texts, to_mm, attempt.log);
   attempt.log.take(named.notes);
-  named.pieces = named_apart(std::move(named.pieces));
+  named.pieces = named_apart(counted_by_names(std::move(named.pieces)));
   for (const DxfFound& found : named.pieces) attempt.names[std::size_t(found.id)] = found.piece.name;
   Checked good = checked(std::move(named.pieces));
   attempt.log.take(good.notes);

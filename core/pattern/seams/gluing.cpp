@@ -76,16 +76,24 @@ double least_border(const SeamModel& m) {
 
 GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
     : m_(model), settings_(settings), least_border_(least_border(model)) {
+  const auto level_of = [&](const SeamRun& run) {
+    if (!model.nameless || !model.upright[run.panel]) return 0;
+    return run.up > kPairWeights.facing_fully ? 1 : run.up < -kPairWeights.facing_fully ? -1 : 0;
+  };
   for (std::size_t i = 0; i < model.runs.size(); ++i) {
     const SeamRun& run = model.runs[i];
-    runs_.push_back({run.next, run.panel, model.mirror[i], run.from > 0 || run.to<1, run.from> 0,
+    runs_.push_back({run.next, run.panel, model.mirror[i], kNone, run.from > 0 || run.to<1, run.from> 0,
                      run.turn.back() > kGarmentWeights.round_deg && !run.open_front && !is_hem(model, run),
                      std::abs(run.angle - 180) < kGarmentWeights.smooth_deg, run.angle, run.length,
                      run.to - run.from, model.words[run.panel].kind == PieceKind::kTorso,
                      is_trim(model.words[run.panel].kind), half_of(model, static_cast<Index>(i)),
-                     model.words[run.panel].face});
+                     model.words[run.panel].face, level_of(run)});
   }
+  for (Index i = 0; i < static_cast<Index>(runs_.size()); ++i)
+    if (model.runs[runs_[i].next].from_notch) runs_[runs_[i].next].before = i;
   root_.resize(runs_.size());
+  for (Index p = 0; p < static_cast<Index>(model.words.size()); ++p)
+    is_whole_.push_back(model.nameless && mirrors_itself(model, p));
 }
 
 void GluingJudge::join_corners(const SeamGluing& g) {
@@ -101,11 +109,21 @@ void GluingJudge::join_corners(const SeamGluing& g) {
   for (Index i = 0; i < count; ++i) root_[i] = corners_.root(i);
 }
 
+/// Whether the run and the part of its edge before it are sewn to parts of one edge that follow each other:
+/// the notch between them parts no seam.
+bool GluingJudge::goes_on(const SeamGluing& g, Index r) const {
+  const Index before = runs_[r].before;
+  if (before == kNone) return false;
+  const Index x = g.partner[r], y = g.partner[before];
+  return x != kNone && y != kNone && (runs_[x].before == y || runs_[y].before == x);
+}
+
 /// Each by itself, and the same on mirrored pieces.
 double GluingJudge::pairs(const SeamGluing& g) const {
   double merit = 0;
   for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
     const Index b = g.partner[a];
+    if (goes_on(g, a)) merit += kGarmentWeights.goes_on / 2;  // seen from either side
     if (b <= a) continue;
     merit += g.merit[a][along(g, a, b)];
     const Index ma = runs_[a].mirror, mb = runs_[b].mirror;
@@ -191,19 +209,43 @@ double GluingJudge::straps(const SeamGluing& g) {
 /// Two pieces that mirror each other meet along one line, the middle of the body, seldom along two.
 double GluingJudge::middles(const SeamGluing& g) {
   lines_.assign(m_.words.size(), 0);
-  // A line ends where it bends: there a vent begins, or the next piece. Hoods are shaped by their corners.
+  // A line ends where it bends: there a vent begins, or the next piece. Hoods are shaped by their corners,
+  // and the seat of a leg cut in one piece is drawn with one.
   const auto goes_on = [&](Index r) {
-    return runs_[r].smooth || m_.words[runs_[r].panel].kind == PieceKind::kHood;
+    const PieceKind kind = m_.words[runs_[r].panel].kind;
+    const bool seat = kind == PieceKind::kLegs && m_.words[runs_[r].panel].face == 0;
+    return runs_[r].smooth || kind == PieceKind::kHood || seat;
   };
   const auto in_middle = [&](Index r) { return g.partner[r] != kNone && g.partner[r] == runs_[r].mirror; };
   for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r)
     lines_[runs_[r].panel] += in_middle(r) && !(in_middle(runs_[r].next) && goes_on(runs_[r].next));
   double merit = kGarmentWeights.second_line * static_cast<double>(second_lines_in_rows(g));
   for (std::size_t p = 0; p < lines_.size(); ++p) {
-    // A leg that is cut in one piece has the middle of the front and that of the back.
-    const bool both = m_.words[p].kind == PieceKind::kLegs && m_.words[p].face == 0;
+    // A leg that is cut in one piece has the middle of the front and that of the back; two panels that are
+    // their own mirror images are a front and a back, with two sides.
+    const bool both = (m_.words[p].kind == PieceKind::kLegs && m_.words[p].face == 0) || is_whole_[p];
     if (m_.twin[p] > static_cast<Index>(p))
       merit += kGarmentWeights.second_line * std::max(0, lines_[p] - (both ? 2 : 1));
+  }
+  return merit;
+}
+
+/// What hangs from a piece by its upper end, that piece does not hang from; nor do their mirror images.
+double GluingJudge::levels(const SeamGluing& g) {
+  if (!m_.nameless) return 0;
+  const auto pair_of = [&](Index r) {
+    const Index p = runs_[r].panel, twin = m_.twin[p];
+    return twin == kNone ? p : std::min(p, twin);
+  };
+  hangs_.clear();
+  double merit = 0;
+  for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r) {
+    const Index other = g.partner[r];
+    if (other == kNone || runs_[r].level != 1 || runs_[other].level != -1) continue;
+    const Index lower = pair_of(r), upper = pair_of(other);
+    for (const std::array<Index, 2>& hangs : hangs_)
+      if (hangs[0] == upper && hangs[1] == lower) merit += kGarmentWeights.hangs_both_ways;
+    hangs_.push_back({lower, upper});
   }
   return merit;
 }
@@ -325,8 +367,8 @@ double GluingJudge::gathers(const SeamGluing& g) {
 double GluingJudge::merit(const SeamGluing& g) {
   join_corners(g);
   const double around = points(g);  // counts the points for surface()
-  const double whole =
-      pairs(g) + sides(g) + limbs(g) + straps(g) + middles(g) + free_edges(g) + around + surface(g);
+  const double whole = pairs(g) + sides(g) + limbs(g) + straps(g) + middles(g) + levels(g) + free_edges(g) +
+                       around + surface(g);
   return whole + narrow_borders(g) + gathers(g);
 }
 

@@ -63,12 +63,14 @@ class GluingJudge {
   /// What is asked of a run in every garment, close together in memory.
   struct Run {
     Index next, panel, mirror;
+    Index before;         ///< the part of the same edge that ends at a notch where it begins; kNone
     bool cut, cut_start;  ///< one end, or the start, is no corner of the drawing
     bool round;           ///< turns by more than an opening does, and is no hem
     bool smooth;          ///< the outline runs on smoothly at its start
     double angle, length, share;
     bool torso, trim;  ///< its piece is of the bodice; a band, cuff or collar
     int half, face;    ///< half_of() it, and of its piece
+    int level;         ///< +1 it faces up along the grain, -1 down; 0 neither, or names tell what hangs where
   };
   struct PointSums {
     double angle = 0;
@@ -86,11 +88,13 @@ class GluingJudge {
   }
   void join_corners(const SeamGluing& g);
   double pairs(const SeamGluing& g) const;
+  bool goes_on(const SeamGluing& g, Index r) const;
   double sides(const SeamGluing& g) const;
   int second_lines_in_rows(const SeamGluing& g) const;
   double limbs(const SeamGluing& g);
   double straps(const SeamGluing& g);
   double middles(const SeamGluing& g);
+  double levels(const SeamGluing& g);
   double free_edges(const SeamGluing& g);
   double points(const SeamGluing& g);
   double surface(const SeamGluing& g);
@@ -101,15 +105,17 @@ class GluingJudge {
   GluingSettings settings_;
   std::vector<Run> runs_;
   DisjointSets corners_, parts_, borders_;
-  std::vector<Index> root_;  ///< of each corner, once they are joined
+  std::vector<char> is_whole_;  ///< of each panel of a nameless garment: it is its own mirror image
+  std::vector<Index> root_;     ///< of each corner, once they are joined
   std::vector<PointSums> sums_;
   std::vector<Gather> gathers_;
   std::vector<Index> free_at_;
   std::vector<Index> mate_;  ///< of each panel of a sleeve: the first of another that it is sewn to
   std::vector<Index> held_;  ///< of each panel of a strap: the first run that it is sewn to
   std::vector<int> lines_;
-  std::vector<char> open_, sewn_;  ///< of each panel: an edge of it is free, is sewn
-  double least_border_;            ///< mm, of the bodice alone
+  std::vector<std::array<Index, 2>> hangs_;  ///< panels: the one hangs from the other
+  std::vector<char> open_, sewn_;            ///< of each panel: an edge of it is free, is sewn
+  double least_border_;                      ///< mm, of the bodice alone
   std::vector<double>
       border_length_;  ///< of the free runs that come together; nothing where not all are the bodice's
   int points_ = 0;

@@ -329,7 +329,10 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   model.nameless = names_nothing(model);
   if (model.nameless) name_shapes(model);
   find_twins(model);
-  if (model.nameless) name_by_fit(model);
+  if (model.nameless) {
+    name_by_fit(model);
+    find_twins(model);  // strips stand another way than they were drawn, and mirror themselves so
+  }
   name_legs(model);
   find_crotch_sides(model);
   name_skirts(model);

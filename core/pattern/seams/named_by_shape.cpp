@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/pattern/seams/bodice.h"
 #include "core/pattern/seams/likeness.h"
+#include "core/pattern/seams/lines.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
@@ -286,7 +288,7 @@ void name_strips(SeamModel& m, double wrist) {
     double least, most;  // times that
     PieceKind kind;
   };
-  const Place places[] = {{ends_of(m, kLegs, true), 0.95, 1.2, kBand},
+  const Place places[] = {{ends_of(m, kLegs, true), 0.75, 1.2, kBand},
                           {wrist, 0.45, 1.05, kCuff},
                           {neck_of(m), 0.65, 1.05, kCollar},
                           {ends_of(m, kTorso, false), 0.6, 1.05, kBand}};
@@ -313,6 +315,52 @@ void name_strips(SeamModel& m, double wrist) {
   }
 }
 
+/// Pieces in pairs that end level above and below are the skirt of a waistband: its tiers, the narrowest
+/// above.
+void name_tiers(SeamModel& m) {
+  constexpr double kSame = 0.01;  // share
+  std::vector<std::pair<double, Index>> tiers;
+  for (const SeamRun& run : m.runs) {
+    const PieceWords& words = m.words[run.panel];
+    const Index twin = m.twin[run.panel];
+    const bool pair = twin != kNone && twin != run.panel;
+    if (words.kind == PieceKind::kOther && !words.layer && pair && run.up > kPairWeights.facing_fully)
+      tiers.emplace_back(run.length, run.panel);
+  }
+  std::sort(tiers.begin(), tiers.end());
+  int level = -1;
+  double last = 0;
+  for (const auto& [length, panel] : tiers) {
+    level += length > (1 + kSame) * last ? 1 : 0;
+    last = length;
+    guess(m.words[panel], PieceKind::kSkirt);
+    m.level[panel] = level;
+  }
+}
+
+/// A strip that is as long as the upper ends of two pieces that mirror each other: a skirt's waistband.
+void name_waistband(SeamModel& m) {
+  using enum PieceKind;
+  constexpr double kSlim = 6, kFits = 0.03;  // times as long as wide; share
+  const bool other = std::any_of(m.words.begin(), m.words.end(),
+                                 [](const PieceWords& w) { return w.kind != kOther && w.kind != kBand; });
+  if (other) return;
+  for (Index p = 0; p < pieces(m); ++p) {
+    const double length = strip_length(m, p, kSlim);
+    if (length == 0 || m.words[p].layer || m.words[p].kind != kOther) continue;
+    const bool fits = std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+      const Index twin = m.twin[run.panel];
+      return twin != kNone && twin != run.panel && run.panel != p && run.up > kPairWeights.facing_fully &&
+             std::abs(2 * run.length - length) < kFits * length;
+    });
+    if (!fits) continue;
+    guess(m.words[p], kBand);
+    stand_along(m, p);
+    name_tiers(m);
+    return;
+  }
+}
+
 /// Pairs with a lower edge as long as half the neck, far larger than a collar, and round: hoods.
 void name_hoods(SeamModel& m) {
   constexpr double kLeast = 0.85, kMost = 1.2, kLarge = 900, kRound = 40;  // times half the neck; mm; degrees
@@ -330,6 +378,26 @@ void name_hoods(SeamModel& m) {
   }
 }
 
+/// Whether the piece is a leg cut in one: a hem between two edges of one length, above which it narrows on
+/// both sides, along the seams of front and seat, to a level waist. Sleeves narrow to less, or not to a
+/// level.
+bool is_whole_leg(const SeamModel& m, Index panel) {
+  constexpr double kLeastWaist = 0.5, kMostWaist = 0.95;  // of the width where the legs part
+  if (m.twin[panel] == kNone || m.twin[panel] == panel) return false;
+  const std::vector<Index> all = runs_of(m, panel);
+  return std::any_of(all.begin(), all.end(), [&](Index h) {
+    const SeamRun &hem = m.runs[h], &after = m.runs[hem.next], &before = run_before(m, hem);
+    if (hem.up > -kPairWeights.facing_fully || difference(after, before) > kSidesOfSleeve) return false;
+    const double width = length(before.at.front() - after.at.back());
+    return std::any_of(all.begin(), all.end(), [&](Index w) {
+      const SeamRun& waist = m.runs[w];
+      const bool level = waist.up > kPairWeights.facing_fully && bend_of(waist) < kPairWeights.straight_deg;
+      const bool apart = &m.runs[waist.next] != &before && &run_before(m, waist) != &after;
+      return level && apart && waist.length > kLeastWaist * width && waist.length < kMostWaist * width;
+    });
+  });
+}
+
 }  // namespace
 
 bool names_nothing(const SeamModel& m) {
@@ -338,6 +406,11 @@ bool names_nothing(const SeamModel& m) {
     return w.kind == kTorso || w.kind == kSkirt || w.kind == kLegs || w.kind == kSleeve || w.kind == kHood ||
            w.face != 0 || w.flank;
   });
+}
+
+std::vector<PieceWords> words_or_shapes_of(const pattern::Pattern& pattern) {
+  SeamModel named = make_seam_model(lines_of(pattern).pattern);
+  return named.nameless ? std::move(named.words) : words_of_garment(pattern);
 }
 
 void name_shapes(SeamModel& m) {
@@ -370,11 +443,18 @@ void name_shapes(SeamModel& m) {
 
 void name_by_fit(SeamModel& m) {
   constexpr double kNeck = 8, kCrotch = 15;  // mm, that a front's and a back's differ by at least
+  for (Index p = 0; p < pieces(m); ++p) {
+    PieceWords& words = m.words[p];
+    if (words.kind != PieceKind::kOther || words.layer || !is_whole_leg(m, p)) continue;
+    guess(words, PieceKind::kLegs);
+    words.leg = true;
+  }
   tell_faces(m, of_kind(m, PieceKind::kTorso), kNeck, [&](Index p) { return neck_depth(m, p); });
   tell_faces(m, of_kind(m, PieceKind::kLegs), kCrotch,
              [&](Index p) -> std::optional<double> { return -crotch_length(m, p); });
   const double sleeves = name_sleeves(m), wrist = sleeves > 0 ? sleeves : cut_on_wrist(m);
   name_strips(m, wrist);
+  name_waistband(m);
   name_hoods(m);
 }
 

@@ -10,10 +10,13 @@ namespace toile::seams {
 /// shapes may.
 bool names_nothing(const SeamModel& m);
 
+/// What the names of a garment's pieces tell, and where they tell nothing its shapes; one per panel.
+std::vector<PieceWords> words_or_shapes_of(const pattern::Pattern& pattern);
+
 /// Kinds of pieces that shoulders and crotches tell: bodices and legs.
 void name_shapes(SeamModel& m);
 
-/// Faces of bodices and legs, then sleeves, collars and bands that fit these.
+/// Legs that are cut in one piece, faces of bodices and legs, then sleeves, collars and bands that fit these.
 void name_by_fit(SeamModel& m);
 
 }  // namespace toile::seams

@@ -35,7 +35,12 @@ constexpr std::string_view kGerman =
     "rockpasse=yoke;untertritt=fly;ubertritt=fly;hosenschlitz=fly;knopfleiste=placket;leiste=placket;"
     "schlitz=placket;schlaufe=loop;gurtelschlaufe=loop;patte=flap;klappe=flap;paspel=piping;"
     "schragband=binding;einfassung=binding;bindeband=tie;bindegurtel=belt;latz=bib;schosschen=peplum;"
-    "keil=gusset;leggins=leggings;pullover=sweater;sakko=jacket;stufe=tier;";
+    "keil=gusset;leggins=leggings;pullover=sweater;sakko=jacket;stufe=tier;"
+    "li=left;re=right;halsbund=neckband;armelbund=cuff;beinbund=cuff;saumbund=hem rib;bundstreifen=waistband;"
+    "kragenstand=collar stand;armelschlitz=placket;seitenstreifen=side;rockbahn=skirt "
+    "panel;teilungsnaht=panel;"
+    "stehbund=collar;umlegekragen=collar;bubikragen=collar;schalkragen=collar;rollkragen=collar;"
+    "jeans=pants;shorts=pants;";
 
 constexpr std::string_view kFrench =
     "devant=front;dos=back;gauche=left;droit=right;droite=right;cote=side;bord cote=rib;"
@@ -52,7 +57,14 @@ constexpr std::string_view kFrench =
     "liens=tie;biais=binding;passepoil=piping;patte boutonnage=placket;patte capucin=placket;"
     "sous patte=fly;rabat=flap;passant=loop;braguette=fly;fond poche=pocket;sac poche=pocket;"
     "parement=facing;entoilage=interlining;renfort=interlining;ourlet=hem;bustier=bodice;hausse=yoke;"
-    "triangle=gusset;";
+    "triangle=gusset;"
+    "contre=facing;demi devant=front;demi dos=back;dvt=front;tombant=collar;tombant col=collar;"
+    "bas=bottom;bas jambe=cuff;bas manche=cuff;cou=neck;fente=placket;triplure=interlining;sous "
+    "col=undercollar;"
+    "garniture=facing;proprete=facing;epaule=shoulder;pont=fly;sous "
+    "pont=fly;gousset=gusset;emmanchure=armhole;"
+    "jambes=leg;poignets=cuff;bretelles=strap;poches=pocket;cotes=side;capuches=hood;robe=dress;"
+    "blouson=jacket;combinaison=overall;";
 
 constexpr std::string_view kSpanishPortuguese =
     "delant=front;post=back;esp=back;espald=back;tras=back;pret=waistband;mga=sleeve;cllo=collar;bols=pocket;"
@@ -80,7 +92,11 @@ constexpr std::string_view kSpanishPortuguese =
     "guarnicion=facing;limpeza=facing;contorno=facing;fusionable=fusible;reforco=interlining;"
     "braga=pants;mallas=leggings;bermuda=pants;remera=tshirt;camiseta=tshirt;franela=tshirt;"
     "playera=tshirt;sudadera=sweatshirt;casaco=jacket;cuchilla=gusset;nesga=godet;godete=godet;"
-    "nivel=tier;piernas=leg;pernas=leg;solapa=lapel;lapela=lapel;";
+    "nivel=tier;piernas=leg;pernas=leg;solapa=lapel;lapela=lapel;"
+    "pechera=bib;botonadura=placket;costadillo=side;delanteros=front;espaldas=back;vuelta manga=cuff;"
+    "centro frente=front;centro costas=back;frentes=front;espelho=facing;debrum=binding;passadeira=loop;"
+    "portinhola=flap;fundo bolso=pocket;canesus=yoke;cuellos=collar;fajon=hem band;quimono=dress;"
+    "saias=skirt;cos elastico=waistband;";
 
 constexpr std::string_view kItalian =
     "dav=front;davanti=front;davanto=front;dietro=back;schiena=back;sinistra=left;sinistro=left;destra=right;"
@@ -101,7 +117,13 @@ constexpr std::string_view kItalian =
     "abbottonatura=placket;pattina=flap;aletta=flap;sbieco=binding;profilo=piping;sacco tasca=pocket;"
     "taschino=pocket;fusto tasca=pocket;filetto=welt;ripiego=facing;mostra=facing;adesivo=fusible;"
     "teletta=interlining;gonne=skirt;panta=pants;abito=dress;tubino=dress;maglietta=tshirt;"
-    "felpa=sweatshirt;cinta=belt;laccio=tie;tassello=gusset;cuneo=gusset;";
+    "felpa=sweatshirt;cinta=belt;laccio=tie;tassello=gusset;cuneo=gusset;"
+    "contropatta=fly;contro patta=fly;sottopatta=fly;controfinta=fly;mezzo davanti=front;mezzo dietro=back;"
+    "polsi=cuff;fascetta=band;fascetta collo=neckband;fascetta polso=cuff;giro collo=neckband;"
+    "bordo collo=neckband;bordo polso=cuff;bordo "
+    "vita=waistband;telo=panel;fessino=placket;cannoncino=placket;"
+    "listello=placket;sacchetto tasca=pocket;sacchetto=pocket;rinforzo=interlining;gambale=leg;"
+    "davanti sinistro=left front;davanti destro=right front;";
 
 constexpr std::string_view kDutch =
     "voor=front;voorkant=front;achter=back;achterkant=back;rugpand=back;zijkant=side;zijpand=side;"
@@ -116,7 +138,11 @@ constexpr std::string_view kDutch =
     "strook=ruffle;gulp=fly;lus=loop;riemlus=loop;riem=belt;ceintuur=belt;klep=flap;"
     "biaisband=binding;knoopsluiting=placket;polo sluiting=placket;tussenvoering=interlining;"
     "vlieseline=interlining;baan=panel;rokbaan=skirt panel;tuinbroek=pants;trui=sweater;spie=gusset;"
-    "kruisje=gusset;";
+    "kruisje=gusset;"
+    "rugdeel=back;voordeel=front;achterdeel=back;zakklep=flap;kap=hood;schouderpas=yoke;"
+    "mouwen=sleeve;halsboordje=neckband;boordje=rib;bloes=blouse;vest=vest;voorbroek=front pants;"
+    "achterbroek=back pants;voorrok=front skirt;achterrok=back skirt;voorlijf=front;achterlijf=back;"
+    "voormouw=front sleeve;achtermouw=back sleeve;";
 
 constexpr std::string_view kPolish =
     "przod=front;tyl=back;lewy=left;lewa=left;prawy=right;prawa=right;bok=side;rekaw=sleeve;"
@@ -134,7 +160,11 @@ constexpr std::string_view kPolish =
     "plisa=placket;listwa=placket;patka=flap;klapka=flap;klapa=lapel;rozporek=fly;szlufka=loop;"
     "szlufki=loop;lamowka=binding;kieszeni=pocket;worek=pocket;pasek klin=gusset;klin=gusset;"
     "karczka=yoke;wiazanie=tie;marynarka=jacket;kurtka=jacket;plaszcz=coat;kamizelka=vest;"
-    "bluza=sweatshirt;koszulka=tshirt;";
+    "bluza=sweatshirt;koszulka=tshirt;"
+    "przody=front;tyly=back;plecki=back;nogawki=leg;sciagacz rekawa=cuff;sciagacz szyi=neckband;"
+    "szyja=neck;szyi=neck;mankiety=cuff;kapturek=hood;kieszonka=pocket;kieszenie=pocket;kolnierzyk=collar;"
+    "wstawka=insert;podkroj=neck;tunel=waistband;sciagacze=rib;rekawow=sleeve;spodenki=pants;dresy=pants;"
+    "golf=collar;";
 
 // "on", the front, is English too: it is told alone, or by what follows.
 constexpr std::string_view kTurkish =
@@ -148,7 +178,11 @@ constexpr std::string_view kTurkish =
     "pantolon=pants;tayt=leggings;roba=yoke;lastik=rib;aski=strap;firfir=ruffle;volan=ruffle;"
     "cep=pocket;cebi=pocket;cep torbasi=pocket;cep kapagi=flap;kapak=flap;astar=lining;"
     "tela=interlining;pervaz=facing;pat=placket;patlet=fly;kopru=loop;kusak=belt;biye=binding;"
-    "elbise=dress;gomlek=shirt;ceket=jacket;mont=coat;yelek=vest;kus=gusset;";
+    "elbise=dress;gomlek=shirt;ceket=jacket;mont=coat;yelek=vest;kus=gusset;"
+    "on sol=left front;on sag=right front;sol on=left front;sag on=right front;on ust=front;on alt=front "
+    "skirt;"
+    "arka alt=back skirt;kol agzi=cuff;bel=waist;yirtmac=placket;kol yirtmac=placket;ust beden=bodice;"
+    "cep torba=pocket;paca lastik=cuff;kol lastik=cuff;bel lastik=waistband;sort=pants;sapka=hood;";
 
 constexpr std::string_view kSwedishDanishNorwegian =
     "framstycke=front;bakstycke=back;framsida=front;forstykke=front;bagstykke=back;rygstykke=back;"
@@ -160,7 +194,22 @@ constexpr std::string_view kSwedishDanishNorwegian =
     "bukser=pants;bukse=pants;byxben=leg;besparing=yoke;baerestykke=yoke;ficka=pocket;lomme=pocket;"
     "foder=lining;infodring=facing;belegg=facing;belaegning=facing;axelband=strap;strop=strap;"
     "stropp=strap;volang=ruffle;klanning=dress;kjole=dress;skjorta=shirt;skjorte=shirt;jakke=jacket;"
-    "jacka=jacket;kappa=coat;";
+    "jacka=jacket;kappa=coat;"
+    "forside=front;bagside=back;bagdel=back;baksida=back;arm=sleeve;aermer=sleeve;ermer=sleeve;"
+    "armar=sleeve;halsband=neckband;halslinning=neckband;halsrib=neckband;halsribb=neckband;halsremsa="
+    "neckband;"
+    "ribb=rib;ribkant=rib;kantband=binding;skraband=binding;snedremsa=binding;livstykke=bodice;"
+    "overdel=bodice;overstykke=bodice;kravestand=collar stand;kragefot=collar stand;fickpase=pocket;"
+    "lommepose=pocket;lommeklap=flap;ficklock=flap;gylf=fly;sprund=placket;slids=placket;stolpe=placket;"
+    "knappstolpe=placket;kile=gusset;kil=gusset;baelte=belt;balte=belt;belte=belt;skarp=belt;skulderstykke="
+    "yoke;"
+    "axelstycke=yoke;ok=yoke;luva=hood;nederkant=hem;framkjol=front skirt;bakkjol=back skirt;framliv=front "
+    "bodice;"
+    "bakliv=back bodice;framarm=front sleeve;bakarm=back sleeve;overarm=topsleeve;framben=front leg;"
+    "bakben=back leg;frambyxa=front pants;bakbyxa=back pants;forbuks=front pants;bagbuks=back pants;"
+    "forbukse=front pants;bakbukse=back pants;forskjort=front skirt;bakskjort=back skirt;forstykker=front;"
+    "bagstykker=back;talje=waist;taljeband=waistband;linning rem=waistband;aermelinning=cuff;manchetter=cuff;"
+    "slag=lapel;volanger=ruffle;genser=sweater;troja=sweater;troje=sweater;frakke=coat;";
 
 constexpr std::string_view kCzechSlovak =
     "predni=front;predny=front;predne=front;zadni=back;zadny=back;zadne=back;predni dil=front;"
@@ -169,7 +218,18 @@ constexpr std::string_view kCzechSlovak =
     "kalhoty=pants;nohavice=pants;sedlo=yoke;kapsa=pocket;vrecko=pocket;podsivka=lining;"
     "podsadka=facing;raminko=strap;naplet=rib;naplet spodni=hem rib;spodni naplet=hem rib;naplet dolni=hem "
     "rib;dolni naplet=hem rib;"
-    "saty=dress;kosile=shirt;kosela=shirt;";
+    "saty=dress;kosile=shirt;kosela=shirt;"
+    "predek=front;zadek=back;predna=front;zadna=back;predny diel=front;zadny diel=back;leve=left;"
+    "leva=left;prave=right;rukavu=sleeve;rukavy=sleeve;limcova stojka=collar stand;golierik=collar;"
+    "horni rukav=topsleeve;spodni rukav=undersleeve;pasovy limec=waistband;pasu=waistband;pasova=waistband;"
+    "kalhot=pants;nohavica=leg;nohavic=leg;nohavicka=leg;kapsy=pocket;kapsicka=pocket;vacek=pocket;"
+    "vrecka=pocket;klopa=lapel;lega=placket;rozparek=fly;sedla=yoke;raminka=strap;ramienko=strap;"
+    "ramienka=strap;kanyr=ruffle;lemovka=binding;lemovani=binding;prukrcnik=neck;vystrih=neck;"
+    "vyztuha=interlining;vystuha=interlining;vlozka=interlining;tricko=tshirt;mikina=sweatshirt;"
+    "halenka=blouse;bunda=jacket;kabat=coat;vesta=vest;sako=jacket;poutko=loop;putko=loop;opasek=belt;"
+    "opasok=belt;naplet krk=neckband;naplet krku=neckband;naplet rukav=cuff;naplet rukavu=cuff;"
+    "manzety=cuff;manzetka=cuff;leginy=leggings;tilko=tshirt;sukni=skirt;sukne predni=front skirt;"
+    "sukne zadni=back skirt;";
 
 // Russian and Ukrainian, as they are written in Latin letters.
 constexpr std::string_view kRussianUkrainian =
@@ -185,7 +245,14 @@ constexpr std::string_view kRussianUkrainian =
     "meshkovina=pocket;podkladka=lining;pidkladka=lining;obtachka=facing;podbort=facing;"
     "pidbort=facing;planka=placket;gulfik=fly;otkos=fly;klapan=flap;shlevka=loop;hlyastik=tab;"
     "lastovitsa=gusset;beyka=binding;dublerin=fusible;platye=dress;rubashka=shirt;zhilet=vest;"
-    "palto=coat;";
+    "palto=coat;"
+    "polochki=front;spinki=back;lev=left;prav=right;podvyaz=rib;podvyaza=rib;rezinka=rib;niz=hem;"
+    "niza=hem;podvyaz niza=hem rib;podvyaz rukava=cuff;podvyaz gorloviny=neckband;podborta=facing;"
+    "yarus=tier;karmashek=pocket;listochka=welt;tolstovka=sweatshirt;futbolka=tshirt;pidzhak=jacket;"
+    "sarafan=dress;halat=coat;khalat=coat;shorty=pants;kombinezon=overall;polovinka perednyaya=front pants;"
+    "polovinka zadnyaya=back pants;perednyaya polovinka=front pants;zadnyaya polovinka=back pants;"
+    "perednie=front;zadnie=back;perednee=front;zadnee=back;manzhety=cuff;koketki=yoke;vorotnika=collar;"
+    "stoyka vorotnika=collar stand;verkh=top;lif pered=front bodice;lif spinka=back bodice;";
 
 constexpr std::string_view kFinnishHungarianRomanian =
     "etukappale=front;takakappale=back;etu=front;taka=back;vasen=left;oikea=right;sivu=side;"
@@ -195,7 +262,40 @@ constexpr std::string_view kFinnishHungarianRomanian =
     "kapucni=hood;mandzsetta=cuff;derekpant=waistband;szoknya=skirt;nadrag=pants;zseb=pocket;"
     "beles=lining;spate=back;fata=front;maneca=sleeve;guler=collar;gluga=hood;manseta=cuff;"
     "betelie=waistband;cordon=waistband;fusta=skirt;buzunar=pocket;captuseala=lining;platca=yoke;"
-    "bizet=facing;";
+    "bizet=facing;"
+    "etukpl=front;takakpl=back;etuosa=front;takaosa=back;keskietu=front;keskitaka=back;etukaarroke=front "
+    "yoke;"
+    "takakaarroke=back yoke;hihat=sleeve;paallihiha=topsleeve;ylahiha=topsleeve;aluhiha=undersleeve;"
+    "alahiha=undersleeve;pystykaulus=collar;kaula=neck;paantie=neck;kaulakaitale=neckband;paantienkaitale="
+    "neckband;"
+    "paantieresori=neckband;kaularesori=neckband;helma=hem;helmaresori=hem rib;hihanresori=cuff;"
+    "hihansuuresori=cuff;hihansuukaitale=cuff;lahkeensuu=cuff;lahkeensuuresori=cuff;resorit=rib;"
+    "vyotaronauha=waistband;vyotarokappale=waistband;kaitale=band;vinokaitale=binding;etulahje=front leg;"
+    "takalahje=back leg;etuhousu=front pants;takahousu=back pants;etuhelma=front skirt;takahelma=back skirt;"
+    "etuhame=front skirt;takahame=back skirt;taskupussi=pocket;taskunkansi=flap;nappilista=placket;"
+    "halkio=placket;sepalus=fly;tukikangas=interlining;alavara=facing;sisavara=facing;olkaimet=strap;"
+    "vyo=belt;mekko=dress;paita=shirt;takki=jacket;liivi=vest;pusero=blouse;rimpsu=ruffle;kiila=gusset;"
+    "miehusta=bodice;ylaosa=bodice;elej=front;elso=front;hatso=back;bal=left;jobb=right;oldal=side;"
+    "oldala=side;ujj=sleeve;ujjak=sleeve;felsoujja=topsleeve;alsoujja=undersleeve;alsogaller=undercollar;"
+    "gallerallo=collar stand;nyak=neck;nyakpant=neckband;nyakpassze=neckband;passze=rib;kezelo=cuff;"
+    "kezeloje=cuff;derek=waist;derekresz=bodice;ov=belt;vallresz=yoke;vallpant=strap;nadragszar=leg;"
+    "szoknyaresz=skirt;alj=skirt;zsebfedo=flap;zsebzacsko=pocket;zsebbelso=pocket;csuklya=hood;"
+    "fodor=ruffle;ruha=dress;ing=shirt;bluz=blouse;zako=jacket;dzseki=jacket;melleny=vest;slicc=fly;"
+    "szegopant=binding;ferdepant=binding;kozbeles=interlining;stanga=left;dreapta=right;stang=left;"
+    "drept=right;fete=front;spete=back;maneci=sleeve;stei=collar stand;mansete=cuff;talie=waist;"
+    "corsaj=bodice;fuste=skirt;crac=leg;clin=gusset;punga=pocket;dublura=lining;garnitura=facing;"
+    "bentita=band;bentita gat=neckband;gat=neck;bretea=strap;bretele=strap;rochie=dress;camasa=shirt;"
+    "jacheta=jacket;sacou=jacket;palton=coat;tricou=tshirt;insertie=interlining;intaritura=interlining;"
+    "clapa=flap;prohab=fly;fata pantalon=front pants;spate pantalon=back pants;";
+
+constexpr std::string_view kCroatianSerbianSlovene =
+    "prednji=front;prednja=front;prednje=front;prednjica=front;straznji=back;straznja=back;straznjica=back;"
+    "zadnji=back;zadnja=back;ledja=back;leda=back;lijevi=left;lijeva=left;levi=left;desni=right;desna=right;"
+    "rukavi=sleeve;ovratnik=collar;okovratnik=collar;kragna=collar;kapuljaca=hood;kapuca=hood;"
+    "orukvica=cuff;pojas=waistband;suknja=skirt;krilo=skirt;hlace=pants;nogavica=leg;dzep=pocket;zep=pocket;"
+    "podstava=lining;podloga=lining;naramenica=strap;haljina=dress;obleka=dress;kosulja=shirt;srajca=shirt;"
+    "jakna=jacket;kaput=coat;prsluk=vest;render=rib;porub=hem;bok=side;letvica=placket;rasporak=fly;"
+    "vratni izrez=neck;rub=hem;";
 
 /// Signs of Chinese and Japanese that tell a word wherever they stand, longer ones first.
 constexpr PieceTerm kSigns[] = {
@@ -274,9 +374,9 @@ void add_terms(std::string_view table, Map& map) {
 
 Map map_of_terms() {
   Map map;
-  for (const std::string_view table :
-       {kShortened, kGerman, kFrench, kSpanishPortuguese, kItalian, kDutch, kPolish, kTurkish,
-        kSwedishDanishNorwegian, kCzechSlovak, kRussianUkrainian, kFinnishHungarianRomanian})
+  for (const std::string_view table : {kShortened, kGerman, kFrench, kSpanishPortuguese, kItalian, kDutch,
+                                       kPolish, kTurkish, kSwedishDanishNorwegian, kCzechSlovak,
+                                       kRussianUkrainian, kFinnishHungarianRomanian, kCroatianSerbianSlovene})
     add_terms(table, map);
   return map;
 }

@@ -1,10 +1,12 @@
 #include "core/pattern/seams/piece_words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstring>
 #include <initializer_list>
 #include <iterator>
+#include <map>
 #include <vector>
 
 #include "core/base/text.h"
@@ -97,6 +99,41 @@ bool tells_band(const std::vector<std::string>& words, const std::string& edge) 
   return false;
 }
 
+/// Two letters that names differ by, and which sides they tell: gauche and droite, izquierda, sinistra,
+/// esquerda and derecha, destra, direita; lewy and prawy. Two that are called a and b are parts of something.
+struct LetterPair {
+  char first, second;
+  bool sides;
+};
+constexpr LetterPair kLetterPairs[] = {{'g', 'd', true}, {'i', 'd', true}, {'s', 'd', true},
+                                       {'e', 'd', true}, {'l', 'p', true}, {'a', 'b', false}};
+
+/// Gives two pieces what the letters tell that alone their names differ by: sides, where they have none; that
+/// b is no back.
+void tell_letter_pairs(const pattern::Pattern& pattern, std::vector<PieceWords>& all) {
+  std::map<std::string, std::size_t> names;
+  for (std::size_t p = 0; p < all.size(); ++p) names.emplace(lower_case(pattern.panels[p].id), p);
+  const auto is_letter = [](const std::string& s, std::size_t i) {
+    return i < s.size() && std::isalpha(static_cast<unsigned char>(s[i])) != 0;
+  };
+  for (const auto& [name, p] : names) {
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      if (!is_letter(name, i) || is_letter(name, i + 1) || (i > 0 && is_letter(name, i - 1))) continue;
+      for (const LetterPair& pair : kLetterPairs) {
+        std::string other = name;
+        other[i] = pair.second;
+        const auto met = name[i] == pair.first ? names.find(other) : names.end();
+        if (met == names.end()) continue;
+        PieceWords &x = all[p], &y = all[met->second];
+        if (!pair.sides) y.face = x.face;
+        if (!pair.sides || x.side > 0 || y.side != 0) continue;
+        x.side = -1;
+        y.side = 1;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 bool is_neck(PieceKind kind) { return kind == PieceKind::kCollar || kind == PieceKind::kHood; }
@@ -132,7 +169,9 @@ PieceWords words_of(const std::string& name) {
   words.kind = kind_of(all);
   words.layer = holds_in_a_row(all, "chest", "piece") || holds_in_a_row(all, "under", "collar") ||
                 holds_in_a_row(all, "collar", "under");
-  if (tells_band(all, "neck")) words.kind = PieceKind::kCollar;
+  const bool neckband = tells_band(all, "neck") || tells_band(all, "collar");
+  if (neckband) words.kind = PieceKind::kCollar;
+  words.stand = neckband;
   words.hem_band = tells_band(all, "hem") || tells_band(all, "bottom") || tells_band(all, "waist");
   if (words.hem_band && words.kind == PieceKind::kBand)
     words.hem_band = false;  // "waistband" is what it says
@@ -180,6 +219,9 @@ std::vector<PieceWords> words_of_garment(const pattern::Pattern& pattern) {
                                   [&](const PieceWords& words) { return words.side == all.front().side; });
   if (common && all.size() >= kGarment)
     for (PieceWords& words : all) words.side = 0;
+  tell_letter_pairs(pattern, all);
+  for (std::size_t p = 0; p < all.size(); ++p)
+    if (lower_case(pattern.panels[p].id).find("_mirrored") != std::string::npos) all[p].side = -all[p].side;
   return all;
 }
 

@@ -24,6 +24,7 @@ struct Chain {
 struct Trial {
   std::size_t a, b;
   double worth;
+  double beyond = 0;  ///< mm that each end of the longer chain goes on beyond the shorter one
 };
 
 std::vector<Chain> chains_of(const SeamModel& m, const std::vector<std::vector<Index>>& borders,
@@ -149,14 +150,61 @@ bool is_collar_on_neck(const SeamModel& m, const Chain& collar, const Chain& nec
          is_symmetric(m, neck);
 }
 
-/// Whether one is a neckband closed to a ring and the other a longer neck: bands of rib are stretched on.
-bool is_rib_on_neck(const SeamModel& m, const Chain& a, const Chain& b) {
-  const Chain &band = a.length < b.length ? a : b, &neck = a.length < b.length ? b : a;
-  return a.whole && b.whole && band.runs.size() == 1 && is_of(m, band, PieceKind::kCollar) &&
-         m.words[m.runs[band.runs.front()].panel].stand &&
-         band.length > kSeriesWeights.rib_stretched * neck.length &&
-         std::none_of(neck.runs.begin(), neck.runs.end(),
-                      [&](Index r) { return m.words[m.runs[r].panel].kind == PieceKind::kCollar; });
+/// The least that lengths say where one chain is a neckband closed to a ring and the other a neck: bands of
+/// rib are stretched onto a longer one, and stands are longer by what their ends are buttoned over each
+/// other. Nothing where they are none.
+std::optional<double> band_on_neck(const SeamModel& m, const Chain& a, const Chain& b) {
+  const auto is_band = [&](const Chain& chain) {
+    return chain.whole && chain.runs.size() == 1 && is_of(m, chain, PieceKind::kCollar) &&
+           m.words[m.runs[chain.runs.front()].panel].stand;
+  };
+  const Chain &band = is_band(a) ? a : b, &neck = is_band(a) ? b : a;
+  const bool collar = std::any_of(neck.runs.begin(), neck.runs.end(), [&](Index r) {
+    return m.words[m.runs[r].panel].kind == PieceKind::kCollar;
+  });
+  if (!is_band(band) || !neck.whole || collar) return std::nullopt;
+  const double ratio = band.length / neck.length;
+  const double beyond = (band.length - neck.length) / 2;
+  if (ratio > kSeriesWeights.rib_stretched && ratio < 1) return kSeriesWeights.rib_on_neck;
+  return beyond > kSeriesWeights.overlap_least_mm && beyond < kSeriesWeights.overlap_most_mm
+             ? std::optional(kSeriesWeights.stand_on_neck)
+             : std::nullopt;
+}
+
+/// Whether one chain is a lower border all around and the other a longer upper one that meets it at both
+/// sides: tiers of a skirt, which no names tell.
+bool is_tier_on_tier(const SeamModel& m, const Chain& a, const Chain& b) {
+  const auto level = [&](const Chain& chain, int faces) {
+    return chain.whole && chain.runs.size() == 2 &&
+           std::all_of(chain.runs.begin(), chain.runs.end(), [&](Index r) {
+             return m.words[m.runs[r].panel].kind == PieceKind::kSkirt &&
+                    faces * m.runs[r].up > kPairWeights.facing_fully;
+           });
+  };
+  const Chain &upper = a.length < b.length ? a : b, &lower = a.length < b.length ? b : a;
+  return m.nameless && level(upper, -1) && level(lower, 1) && meeting_corners(m, a, b) == 1;
+}
+
+/// Whether all runs of the chain are of the bodice or of its yoke.
+bool is_of_bodice(const SeamModel& m, const Chain& chain) {
+  return std::all_of(chain.runs.begin(), chain.runs.end(), [&](Index r) {
+    const PieceWords& words = m.words[m.runs[r].panel];
+    return words.kind == PieceKind::kTorso || words.yoke;
+  });
+}
+
+/// How far the neck of a front that opens goes on beyond the ends of a collar, mm: by what the fronts are
+/// buttoned over each other. Nothing where that is no such collar.
+std::optional<double> beyond_collar(const SeamModel& m, const Chain& collar, const Chain& neck) {
+  const double beyond = (neck.length - collar.length) / 2;
+  if (beyond < kSeriesWeights.overlap_least_mm || beyond > kSeriesWeights.overlap_most_mm ||
+      collar.runs.size() != 1 || neck.runs.size() < 3 || !is_of(m, collar, PieceKind::kCollar) ||
+      !is_of_bodice(m, neck) || !is_symmetric(m, collar) || !is_symmetric(m, neck))
+    return std::nullopt;
+  const Index front = m.runs[neck.runs.front()].panel, other = m.runs[neck.runs.back()].panel;
+  const bool opens = front != other && m.twin[front] == other && m.words[front].face >= 0;
+  const double least = std::min(m.runs[neck.runs.front()].length, m.runs[collar.runs.front()].length);
+  return opens && 2 * beyond < least ? std::optional(beyond) : std::nullopt;
 }
 
 /// Corners of the neck that notches of the collar meet where both lie around the middle of the back: a collar
@@ -175,7 +223,8 @@ std::size_t collar_notches_met(const SeamModel& m, const Chain& collar, const Ch
 /// What speaks for the two chains before the surface is looked at.
 double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   double merit = length_merit(a.length, b.length);
-  if (is_rib_on_neck(m, a, b)) merit = std::max(merit, kSeriesWeights.rib_on_neck);
+  merit = std::max(merit, band_on_neck(m, a, b).value_or(merit));
+  if (is_tier_on_tier(m, a, b)) merit = std::max(merit, kSeriesWeights.tier_on_tier);
   if (a.whole && b.whole && gores_in_order(m, a, b)) merit += kSeriesWeights.gores_in_order;
   merit += std::min(kSeriesWeights.corners_most,
                     kSeriesWeights.corner * static_cast<double>(meeting_corners(m, a, b)));
@@ -193,9 +242,12 @@ std::vector<Trial> trials_of(const SeamModel& m, const std::vector<Chain>& chain
     for (std::size_t j = i + 1; j < chains.size(); ++j) {
       const Chain &a = chains[i], &b = chains[j];
       if (a.runs.size() + b.runs.size() < 3 || overlap(a, b)) continue;
+      const std::optional<double> first = beyond_collar(m, a, b), second = beyond_collar(m, b, a);
+      if (first || second)
+        trials.push_back({i, j, kSeriesWeights.collar_in_middle, first ? *first : *second});
       const double ratio = std::max(a.length, b.length) / std::min(a.length, b.length);
       if (ratio > (a.whole && b.whole ? kSeriesWeights.ratio_whole : kSeriesWeights.ratio)) continue;
-      trials.push_back({i, j, series_merit(m, a, b)});
+      trials.push_back({i, j, series_merit(m, a, b), 0});
     }
   }
   std::stable_sort(trials.begin(), trials.end(),
@@ -258,6 +310,28 @@ std::optional<FoundSeams> with_series(const pattern::Pattern& pattern, const Fou
   return next;
 }
 
+/// The chain without so much of its ends, which are cut off.
+Chain without_ends(const pattern::Pattern& pattern, FoundSeams& found, Chain chain, double beyond) {
+  std::vector<Index> parts =
+      cut_chain(pattern, found.model, found.gluing, chain.runs, {beyond, chain.length - beyond}, 0);
+  grow(found.gluing, found.model.runs.size());
+  chain.runs.assign(parts.begin() + 1, parts.end() - 1);
+  chain.length -= 2 * beyond;
+  chain.whole = false;
+  return chain;
+}
+
+/// `found` with the trial's chains sewn, or nothing when their corners do not come out even.
+std::optional<FoundSeams> tried(const pattern::Pattern& pattern, const FoundSeams& found,
+                                const std::vector<Chain>& chains, const Trial& trial) {
+  Chain a = chains[trial.a], b = chains[trial.b];
+  if (trial.beyond == 0) return with_series(pattern, found, a, b, trial.worth);
+  FoundSeams cut{found.model, found.gluing, found.seams};
+  Chain& neck = a.length > b.length ? a : b;
+  neck = without_ends(pattern, cut, neck, trial.beyond);
+  return with_series(pattern, cut, a, b, trial.worth);
+}
+
 }  // namespace
 
 FoundSeams sewn_in_series(const pattern::Pattern& pattern, FoundSeams found, const std::vector<char>& locked,
@@ -268,7 +342,7 @@ FoundSeams sewn_in_series(const pattern::Pattern& pattern, FoundSeams found, con
     std::optional<FoundSeams> best;
     double gain = kSeriesWeights.worthwhile;
     for (const Trial& trial : trials_of(found.model, chains)) {
-      auto next = with_series(pattern, found, chains[trial.a], chains[trial.b], trial.worth);
+      auto next = tried(pattern, found, chains, trial);
       if (!next) continue;
       const double merit = gluing_merit(next->model, next->gluing, settings) - now;
       if (merit > gain) {

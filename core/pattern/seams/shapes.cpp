@@ -95,8 +95,9 @@ double notch_merit(const SeamRun& a, const SeamRun& b, bool along) {
 
 bool begins_at_hem(const SeamModel& m, const SeamRun& run) {
   const auto is_hem = [&](const SeamRun& other) {
-    const bool crotch =
-        lies_between_hollows(m, other) && other.length < kPairWeights.crotch * m.girth[other.panel];
+    const double beside = std::max(m.runs[other.next].up, run_before(m, other).up);
+    const bool crotch = lies_between_hollows(m, other) && beside < kPairWeights.leg_opening_up &&
+                        other.length < kPairWeights.crotch * m.girth[other.panel];
     return m.upright[other.panel] && other.up < -kPairWeights.facing && !crotch;
   };
   return is_hem(m.runs[run.next]) || is_hem(run_before(m, run));

@@ -20,11 +20,12 @@ struct EndWeights {
   double tells = 12;     ///< degrees of what opens upwards that tell; bodices and legs mostly have 30 to 200
   double down = 30;      ///< … downwards, with a shoulder at that end: onesies have leg openings there
   double surely = 50;    ///< … downwards, of a bodice without any
-  double neck_deg = 60;  ///< how much a neck is hollow at least that tells whatever else is
-  double skirt_tells = 25;  ///< … of a skirt, which may be hollow at its hem
-  double wider = 1.25;      ///< times, of a hem over the upper end: skirts may narrow a little downwards
-  double dart_deg = 300;    ///< degrees of cloth from which on a corner is a dart's tip
-  double dart_legs = 0.05;  ///< share that a dart's legs may differ by
+  double neck_deg = 60;  ///< how much a neck is hollow at least that tells whatever else is …
+  double back_neck_deg = 35;  ///< … and where the other end is straight: a back's is shallow
+  double skirt_tells = 25;    ///< … of a skirt, which may be hollow at its hem
+  double wider = 1.25;        ///< times, of a hem over the upper end: skirts may narrow a little downwards
+  double dart_deg = 300;      ///< degrees of cloth from which on a corner is a dart's tip
+  double dart_legs = 0.05;    ///< share that a dart's legs may differ by
 };
 constexpr EndWeights kEndWeights;
 
@@ -108,15 +109,18 @@ bool has_forks(const SeamModel& m) {
 /// either end.
 int told_by_neck(const SeamModel& m, const std::vector<Index>& runs) {
   constexpr double kFaces = 0.9;
-  int up = 0, down = 0;
+  double up = 0, down = 0;  // degrees that the middle's ends are hollow by
+  bool straight = false;
   for (const Index r : runs) {
     const SeamRun& run = m.runs[r];
     const bool in_middle = run.mirror_panel == run.panel && run.mirror_edge == run.edge;
-    if (!in_middle || run.turn.back() > -kEndWeights.neck_deg) continue;
-    up += run.up > kFaces;
-    down += run.up < -kFaces;
+    if (!in_middle || std::abs(run.up) < kFaces) continue;
+    straight = straight || run.straight;
+    double& end = run.up > 0 ? up : down;
+    end = std::max(end, -run.turn.back());
   }
-  return (up > 0) - (down > 0);
+  const double least = straight ? kEndWeights.back_neck_deg : kEndWeights.neck_deg;
+  return (up > least) - (down > least);
 }
 
 /// +1 where the grain points upwards, −1 where it points down, 0 where the shape does not tell. `turned`: the

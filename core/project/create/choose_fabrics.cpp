@@ -1,6 +1,8 @@
 #include "core/project/create/choose_fabrics.h"
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_words.h"
@@ -54,6 +56,42 @@ constexpr GarmentWord kGarments[] = {
     {"blouse", "shirting"},
     {"dress", "shirting"},
     {"top", "single-jersey"},
+};
+
+/// Words for cloth, without accents, between semicolons; of several in a name the first line counts.
+struct MaterialWords {
+  std::string_view words;
+  const char* fabric;
+};
+
+constexpr MaterialWords kMaterials[] = {
+    {";rib;ribbing;", "rib"},
+    {";interlining;interfacing;fusible;fusing;fuse;", "interlining"},
+    {";lining;underlining;pocketing;", "lining"},
+    {";lycra;spandex;elastane;elastan;stretch;ponte;romanit;badelycra;", "ponte"},
+    {";fleece;molton;molleton;moletom;moletao;dresowka;felpa;sweat;sweatshirt;futter;futer;teplakovina;"
+     "collegetrikoo;joggingstoff;",
+     "sweatshirt-fleece"},
+    {";pique;piquet;pike;interlock;", "interlock"},
+    {";jersey;tricot;trikoo;triko;trikot;trika;punto;uplet;dzianina;pletenina;pletivo;kotott;singlejersey;"
+     "trikotazh;tricotaje;malha;maglina;knit;meia;",
+     "single-jersey"},
+    {";denim;jean;jeans;mezclilla;vaquera;dzins;dzinsowa;dzhins;farmer;kot;", "denim-10oz"},
+    {";linen;lin;lino;linho;leinen;linnen;linne;linned;hor;len;keten;pellava;", "linen"},
+    {";melton;loden;flausch;boiled;", "wool-flannel"},
+    {";wool;laine;lana;wolle;wol;ull;uld;villa;yun;welna;vlna;gyapju;sherst;suiting;", "wool-suiting"},
+    {";velvet;samt;velours;velluto;terciopelo;veludo;sametti;kadife;aksamit;samet;flojl;sammet;", "velvet"},
+    {";chiffon;sifon;gasa;mousseline;szyfon;shifon;", "silk-chiffon"},
+    {";organza;", "silk-organza"},
+    {";tulle;tyll;tul;tyl;tiul;fatin;", "tulle"},
+    {";satin;saten;raso;atlas;satyna;szaten;", "satin"},
+    {";silk;soie;seide;seda;seta;silke;silkki;jedwab;hedvabi;selyem;ipek;shelk;zijde;", "silk-charmeuse"},
+    {";leather;leder;cuir;cuero;pelle;couro;skind;nahka;skora;kuze;bor;deri;kozha;", "leather"},
+    {";poplin;popeline;popelin;popelina;popelini;poplina;", "poplin"},
+    {";oxford;", "oxford"},
+    {";canvas;segeltuch;", "canvas"},
+    {";twill;gabardine;gabardina;gabardin;koper;chino;serge;sarga;kepr;diagonal;", "twill"},
+    {";felt;filz;feutre;", "felt"},
 };
 
 bool has(const std::vector<std::string>& words, const char* word) {
@@ -112,13 +150,33 @@ std::string piece_fabric(const std::string& piece) {
   return has(words, "lining") || has(words, "underlining") ? "lining" : "";
 }
 
-void choose_fabrics(project::Project& project) {
+std::string material_fabric(const std::string& material) {
+  const std::vector<std::string> words = seams::words_of_piece(material);
+  for (const MaterialWords& known : kMaterials)
+    for (const std::string& word : words)
+      if (known.words.find(";" + word + ";") != std::string_view::npos) return known.fabric;
+  return "";
+}
+
+void choose_fabrics(const std::vector<std::string>& materials, project::Project& project) {
   std::vector<std::string> pieces;
-  for (project::ProjectPiece& piece : project.pieces) {
+  std::map<std::string, int> told;  // pieces cut of each
+  for (std::size_t p = 0; p < project.pieces.size(); ++p) {
+    project::ProjectPiece& piece = project.pieces[p];
     pieces.push_back(piece.id);
     piece.fabric = piece_fabric(piece.id);
+    if (piece.fabric.empty() && p < materials.size()) piece.fabric = material_fabric(materials[p]);
+    ++told[piece.fabric];
   }
-  project.fabric = garment_fabric(project.name, pieces);
+  // Ribs end a garment, and a lining is none: they are its own cloth where there is no other.
+  if (told.size() > 1)
+    for (const char* beside : {"rib", "lining", "interlining"}) told.erase(beside);
+  const auto most = std::max_element(told.begin(), told.end(),
+                                     [](const auto& x, const auto& y) { return x.second < y.second; });
+  const bool says = most != told.end() && !most->first.empty();
+  project.fabric = says ? most->first : garment_fabric(project.name, pieces);
+  for (project::ProjectPiece& piece : project.pieces)
+    if (piece.fabric == project.fabric) piece.fabric.clear();
 }
 
 }  // namespace toile::create

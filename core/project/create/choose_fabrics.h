@@ -1,5 +1,5 @@
 #pragma once
-// What a garment is made of that only its names tell of.
+// What a garment is made of, as its pattern's materials and names tell.
 
 #include <string>
 #include <vector>
@@ -17,7 +17,12 @@ std::string garment_fabric(const std::string& name, const std::vector<std::strin
 /// is.
 std::string piece_fabric(const std::string& piece);
 
-/// Says both in the document.
-void choose_fabrics(project::Project& project);
+/// Name of the fabric that a pattern's word for it means, in a dozen languages: "JERSEY", "Popeline",
+/// "BORD-COTE". Empty where it means none, as "SELF" or "Oberstoff".
+std::string material_fabric(const std::string& material);
+
+/// Says all of it in the document. Materials, one per piece or none at all, tell more than names: what most
+/// pieces are cut of is the garment's own, and the others have theirs.
+void choose_fabrics(const std::vector<std::string>& materials, project::Project& project);
 
 }  // namespace toile::create

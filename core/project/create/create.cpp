@@ -108,6 +108,7 @@ void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int
     }
     made.project.pieces.push_back(std::move(piece));
     made.pattern.panels.push_back(std::move(copy));
+    made.materials.push_back(drawn.material);
     clockwise.push_back(
         seams::runs_clockwise(drawn.outline));  // a copy turned over shows its right side, too
   }
@@ -238,7 +239,7 @@ void complete(const NewProjectSettings& settings, NewProject& made) {
   project.name = settings.name;
   for (const pattern::Seam& seam : made.pattern.seams)
     project.seams.push_back(project_seam(made.pattern, seam));
-  choose_fabrics(project);
+  choose_fabrics(made.materials, project);
   choose_mesh(made.pattern, project.settings);
   project::ProjectBody body;
   body.id = "body";

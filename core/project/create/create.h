@@ -37,12 +37,14 @@ struct NewProject {
   std::vector<seams::SeamProposal> proposals;
   std::vector<bool> accepted;      ///< which of them the project has: a proposal may be another's alternative
   std::vector<std::string> notes;  ///< what the file had that the project has not
+  /// Of each piece: what its file says that it is cut of; empty where it says nothing.
+  std::vector<std::string> materials = {};
 };
 
 /// A project with the pieces of a GarmentCode specification (text that begins with "{"), their seams and
 /// places, or with those of a DXF file. Pieces of a DXF are cut as often as it says, mirrored ones as
 /// outlines of the document; they stand flat in rows before and behind the body, after what their names say,
-/// to be arranged. Cloth: as names tell, see choose_fabrics.h; what holds up
+/// to be arranged. Cloth: as materials and names tell, see choose_fabrics.h; what holds up
 /// trousers without a waistband: see waist_elastic.h. Pieces of a DXF that cannot be cut are left
 /// out, and `notes` name them. Errors: those of read_garmentcode and read_dxf, pattern.* with the piece where
 /// none can be cut; "cancelled".

@@ -14,23 +14,36 @@ namespace {
 // A waist is about 0.75 of the hip, which has to pass the edge with ease: the elastic is shorter than that,
 // so that it holds on slim waists too; N per strain.
 constexpr double kFactor = 0.55, kStiffness = 40;
-constexpr double kHipBelow = 180;  // mm from the waist
-constexpr double kAsWide = 0.88;   // times as wide as there: less is a shaped waist
+constexpr double kBandFactor =
+    0.45;  // of a casing sewn on, which is stiffer: it gathers less than it is asked to
+constexpr double kHipBelow = 180;     // mm from the waist
+constexpr double kAsWide = 0.88;      // times as wide as there: less is a shaped waist …
+constexpr double kStraight = 0.95;    // … and this where a band tells that it may be
+constexpr double kCasingFits = 0.03;  // share that a casing is longer or shorter: bands lap over
 
 bool is_lower(const seams::PieceWords& words) {
   return words.kind == seams::PieceKind::kLegs || words.kind == seams::PieceKind::kSkirt;
 }
 
-/// Whether the garment is of legs and skirts, and nothing that these hang from.
-bool hangs_from_nothing(const seams::SeamModel& m) {
+/// What the garment's legs and skirts hang from.
+struct Waist {
+  bool lower = false;              ///< there are legs or skirts
+  bool held = false;               ///< by a bodice, a yoke, straps or more than one band
+  std::optional<Index> band = {};  ///< the only one
+};
+
+Waist waist_of_garment(const seams::SeamModel& m) {
   using enum seams::PieceKind;
-  bool lower = false;
-  for (const seams::PieceWords& words : m.words) {
+  Waist waist;
+  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) {
+    const seams::PieceWords& words = m.words[p];
     if (words.layer) continue;
-    if (words.kind == kTorso || words.kind == kBand || words.kind == kStrap || words.yoke) return false;
-    lower = lower || is_lower(words);
+    const bool second = words.kind == kBand && waist.band;
+    waist.held = waist.held || words.kind == kTorso || words.kind == kStrap || words.yoke || second;
+    waist.lower = waist.lower || is_lower(words);
+    if (words.kind == kBand) waist.band = p;
   }
-  return lower;
+  return waist;
 }
 
 /// How wide the piece is where that height (mm along its grain) crosses its outline.
@@ -61,20 +74,60 @@ bool takes(const std::vector<pattern::Seam>& seams, const seams::SeamRun& run) {
   });
 }
 
-/// The upper edges of a piece; nothing where seams take one, or its waist is shaped.
-std::optional<std::vector<Index>> waist_of(const seams::SeamModel& m, Index panel,
-                                           const std::vector<pattern::Seam>& sewn) {
+/// The upper edges of a piece.
+struct UpperEdges {
   std::vector<Index> edges;
-  double length = 0, height = -HUGE_VAL;
+  double length = 0;  ///< mm
+};
+
+/// Nothing where the piece's waist is shaped.
+std::optional<UpperEdges> upper_edges(const seams::SeamModel& m, Index panel, double as_wide) {
+  UpperEdges upper;
+  double height = -HUGE_VAL, low = HUGE_VAL;
   for (const seams::SeamRun& run : m.runs) {
-    if (run.panel != panel || run.up < seams::kPairWeights.facing) continue;
-    if (takes(sewn, run)) return std::nullopt;
-    edges.push_back(run.edge);
-    length += run.length;
+    if (run.panel != panel) continue;
+    low = std::min(low, dot(run.at.front(), m.up[panel]));
+    if (run.up < seams::kPairWeights.facing) continue;
+    upper.edges.push_back(run.edge);
+    upper.length += run.length;
     height = std::max(height, dot(run.at.front(), m.up[panel]));
   }
-  if (edges.empty() || length < kAsWide * width_at(m, panel, height - kHipBelow)) return std::nullopt;
-  return edges;
+  const double hip = std::max(height - kHipBelow, low + 1);  // a tier may be shorter than that
+  if (upper.edges.empty() || upper.length < as_wide * width_at(m, panel, hip)) return std::nullopt;
+  return upper;
+}
+
+project::ProjectElastic elastic_along(const pattern::Panel& panel, const std::vector<Index>& edges,
+                                      double factor) {
+  project::ProjectElastic elastic;
+  elastic.id = "waist_" + panel.id;
+  elastic.piece = panel.id;
+  for (const Index e : edges) elastic.lines.push_back(panel.outline.edges[e].id);
+  elastic.factor = factor;
+  elastic.stiffness_n = kStiffness;
+  return elastic;
+}
+
+/// The elastic of a casing: a strip as long as what hangs from it, which is not shaped to a waist.
+std::vector<project::ProjectElastic> casing_elastic(const pattern::Pattern& pattern,
+                                                    const seams::SeamModel& m, Index band,
+                                                    const std::vector<pattern::Seam>& sewn) {
+  double below = 0;
+  for (Index p = 0; p < static_cast<Index>(pattern.panels.size()); ++p) {
+    if (!is_lower(m.words[p]) || m.words[p].layer || m.level[p] > 0) continue;
+    const std::optional<UpperEdges> upper = upper_edges(m, p, kStraight);
+    if (!upper) return {};
+    below += upper->length;
+  }
+  std::vector<Index> free;
+  double length = 0;
+  for (const seams::SeamRun& run : m.runs) {
+    if (run.panel != band || takes(sewn, run)) continue;
+    free.push_back(run.edge);
+    length += run.length;
+  }
+  if (free.size() != 1 || std::abs(length - below) > kCasingFits * below) return {};
+  return {elastic_along(pattern.panels[band], free, kBandFactor)};
 }
 
 }  // namespace
@@ -82,18 +135,18 @@ std::optional<std::vector<Index>> waist_of(const seams::SeamModel& m, Index pane
 std::vector<project::ProjectElastic> waist_elastics(const pattern::Pattern& pattern,
                                                     const std::vector<pattern::Seam>& proposed) {
   const seams::SeamModel m = seams::make_seam_model(pattern);
-  if (!hangs_from_nothing(m)) return {};
+  const Waist waist = waist_of_garment(m);
+  if (!waist.lower || waist.held) return {};
+  if (waist.band) return casing_elastic(pattern, m, *waist.band, proposed);
   std::vector<project::ProjectElastic> elastics;
   for (Index p = 0; p < static_cast<Index>(pattern.panels.size()); ++p) {
     if (!is_lower(m.words[p]) || m.words[p].layer || m.level[p] > 0) continue;
-    const std::optional<std::vector<Index>> waist = waist_of(m, p, proposed);
-    if (!waist) return {};
-    project::ProjectElastic& elastic = elastics.emplace_back();
-    elastic.id = "waist_" + pattern.panels[p].id;
-    elastic.piece = pattern.panels[p].id;
-    for (const Index e : *waist) elastic.lines.push_back(pattern.panels[p].outline.edges[e].id);
-    elastic.factor = kFactor;
-    elastic.stiffness_n = kStiffness;
+    const std::optional<UpperEdges> upper = upper_edges(m, p, kAsWide);
+    const bool taken = std::any_of(m.runs.begin(), m.runs.end(), [&](const seams::SeamRun& run) {
+      return run.panel == p && run.up >= seams::kPairWeights.facing && takes(proposed, run);
+    });
+    if (!upper || taken) return {};
+    elastics.push_back(elastic_along(pattern.panels[p], upper->edges, kFactor));
   }
   return elastics;
 }

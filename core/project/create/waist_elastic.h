@@ -10,8 +10,9 @@ namespace toile::create {
 
 /// Elastics along the upper edges of legs and skirts where no piece is a bodice or a waistband, no seam (of
 /// the pattern or sewn later, `proposed`) takes these edges, and each piece is nearly as wide there as at the
-/// hip: such garments are pulled on and have a casing. One a piece, as a document has them; none where the
-/// waist is shaped.
+/// hip: such garments are pulled on and have a casing, grown on, or sewn on as a band of their own length,
+/// along whose free edge the elastic goes then. One a piece, as a document has them; none where the waist is
+/// shaped.
 std::vector<project::ProjectElastic> waist_elastics(const pattern::Pattern& pattern,
                                                     const std::vector<pattern::Seam>& proposed);
 

@@ -326,11 +326,22 @@ TEST(ProjectNew, TrousersWithoutAWaistbandHaveAnElasticWhereTheyArePulledOn) {
   EXPECT_NE(made->notes.back().find("elastics"), std::string::npos);
 }
 
-TEST(ProjectNew, AShapedWaistAndAWaistbandNeedNoElastic) {
+TEST(ProjectNew, AShapedWaistAndAShorterWaistbandNeedNoElastic) {
   EXPECT_TRUE(create::new_project(drawing_of(pyjamas(220)), settings(0.8))->project.elastics.empty());
+  for (const double length : {1100.0, 1300.0}) {
+    std::vector<pattern::Panel> banded = pyjamas(300);
+    banded.push_back(garments::piece("Waistband", {{0, 0}, {length, 0}, {length, 40}, {0, 40}}));
+    EXPECT_TRUE(create::new_project(drawing_of(banded), settings(0.8))->project.elastics.empty()) << length;
+  }
+}
+
+TEST(ProjectNew, ABandAsLongAsAWideWaistIsACasing) {
   std::vector<pattern::Panel> banded = pyjamas(300);
   banded.push_back(garments::piece("Waistband", {{0, 0}, {1200, 0}, {1200, 40}, {0, 40}}));
-  EXPECT_TRUE(create::new_project(drawing_of(banded), settings(0.8))->project.elastics.empty());
+  const auto made = create::new_project(drawing_of(banded), settings(0.8));
+  ASSERT_EQ(made->project.elastics.size(), 1u);
+  EXPECT_EQ(made->project.elastics[0].piece, "Waistband");
+  EXPECT_EQ(made->project.elastics[0].lines.size(), 1u) << "the free one of its long edges";
 }
 
 }  // namespace

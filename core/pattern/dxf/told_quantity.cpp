@@ -1,0 +1,94 @@
+#include "core/pattern/dxf/told_quantity.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "core/base/latin_letters.h"
+#include "core/base/text.h"
+
+namespace toile::dxf {
+namespace {
+
+constexpr int kMostTold = 12;  // of one piece; greater figures are sizes
+
+// Small letters without accents, between semicolons.
+constexpr std::string_view kCutWords =
+    ";cut;couper;coupez;coupe;cortar;corte;cortes;tagliare;tagliate;schneiden;zuschneiden;zuschnitt;"
+    "knippen;knip;klipp;klippe;klippes;klip;kroic;wyciac;krojit;strihat;strihej;strih;leikkaa;kes;kesilecek;"
+    "kesim;taie;croit;croieste;szabni;vagni;kiszabni;rezati;kroj;krojiti;kroit;vykroit;";
+constexpr std::string_view kCountWords =
+    ";pc;pcs;piece;pieces;pce;pces;pieza;piezas;peca;pecas;pezzo;pezzi;pz;stk;stck;stuck;stueck;stuks;styck;"
+    "szt;sztuk;sztuki;ks;kusy;kus;adet;kpl;kappaletta;db;darab;buc;bucati;kom;komada;kosa;sht;det;detali;"
+    "mal;fois;vez;veces;vezes;volte;keer;krat;raz;razy;times;kez;gange;ganger;";
+constexpr std::string_view kPairWords = ";pair;paire;par;pari;paar;coppia;paru;pereche;cift;";
+constexpr std::string_view kManyPairWords = ";pairs;paires;pares;paare;coppie;pary;perechi;";
+constexpr std::string_view kFoldWords =
+    ";fold;bruch;stoffbruch;pli;pliure;doblez;dobra;piega;ripiegata;stoffplooi;stofvouw;vouw;zgiecie;zgieciu;"
+    "zlozeni;prehyb;prehybu;kat;katli;taite;taitteelta;taitteesta;hajtas;hajtasra;hajtasban;pliu;indoitura;"
+    "vikning;tygvikning;fold;stoffold;sgib;sgibom;presavijen;pregib;";
+
+bool is_among(std::string_view list, const std::string& word) {
+  return list.find(";" + word + ";") != std::string_view::npos;
+}
+
+/// A row of digits or of letters.
+struct Token {
+  std::string text;
+  int figure = -1;  ///< that it is; -1: letters, or no small whole number
+  bool is_figure() const { return figure >= 1 && figure <= kMostTold; }
+};
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_letter_or_digit(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+std::vector<Token> tokens_of(std::string_view text) {
+  const std::string latin = lower_case(in_latin_letters(text));
+  std::vector<Token> tokens;
+  for (std::size_t i = 0; i < latin.size();) {
+    std::size_t end = i + 1;
+    if (is_letter_or_digit(latin[i])) {
+      while (end < latin.size() && is_letter_or_digit(latin[end]) &&
+             is_digit(latin[end]) == is_digit(latin[i]))
+        ++end;
+      Token& token = tokens.emplace_back(Token{latin.substr(i, end - i)});
+      token.figure = number_in<int>(token.text).value_or(-1);
+    }
+    i = end;
+  }
+  return tokens;
+}
+
+/// The figure that the tokens tell a quantity by; 0 where there is none.
+int counted_by(const std::vector<Token>& tokens) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (!tokens[i].is_figure()) continue;
+    const std::string before = i > 0 ? tokens[i - 1].text : "",
+                      after = i + 1 < tokens.size() ? tokens[i + 1].text : "";
+    const bool crossed = (i > 1 && before == "x" && tokens[i - 2].figure >= 0) ||
+                         (i + 2 < tokens.size() && after == "x" && tokens[i + 2].figure >= 0);
+    if (crossed) continue;                // "5 x 5" are lengths
+    const int figure = tokens[i].figure;  // "2 (pair)" are two, "2 pairs" four
+    if (is_among(kManyPairWords, after)) return 2 * figure;
+    if (is_among(kPairWords, after)) return figure % 2 == 0 ? figure : 2 * figure;
+    if (before == "x" || after == "x" || is_among(kCutWords, before) || is_among(kCountWords, after))
+      return figure;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::optional<DxfQuantity> told_quantity(std::string_view text) {
+  const std::vector<Token> tokens = tokens_of(text);
+  const auto tells = [&](std::string_view list) {
+    return std::any_of(tokens.begin(), tokens.end(), [&](const Token& t) { return is_among(list, t.text); });
+  };
+  int count = counted_by(tokens);
+  if (count == 0 && !tokens.empty() && is_among(kPairWords, tokens.back().text)) count = 2;
+  if (count == 0) return std::nullopt;
+  return DxfQuantity{count, 0, tells(kFoldWords)};
+}
+
+}  // namespace toile::dxf

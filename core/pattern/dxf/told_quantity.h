@@ -1,0 +1,16 @@
+#pragma once
+// How often a piece is cut, where names and labels tell it in passing: "SLEEVE 2x", "couper 1 paire".
+
+#include <optional>
+#include <string_view>
+
+#include "core/pattern/dxf/words.h"
+
+namespace toile::dxf {
+
+/// What the text tells: a figure with a word of cutting or counting, of a dozen languages, or with an x, or a
+/// word for a pair. What is cut on the fold is told apart, since none of it is turned over. Nothing where it
+/// tells of no quantity, as "5 x 5" or "size 38".
+std::optional<DxfQuantity> told_quantity(std::string_view text);
+
+}  // namespace toile::dxf
