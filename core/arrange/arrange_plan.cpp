@@ -61,8 +61,8 @@ bool lie_in_line(const std::vector<Vec2>& points) {
 }
 
 /// Collars that are sewn to the front and to the back by one edge (a jacket's with its gorges lies before it
-/// as it was drawn): they lie around the neck, open or not, and so does a collar that is sewn to such a one
-/// more than to anything else.
+/// as it was drawn), or closed to a ring: they lie around the neck, open or not, and so does a collar that is
+/// sewn to such a one more than to anything else.
 std::vector<bool> go_around_neck(const GarmentGraph& graph) {
   const std::size_t count = graph.pieces.size();
   std::vector<bool> front(count), back(count), around(count);
@@ -79,7 +79,10 @@ std::vector<bool> go_around_neck(const GarmentGraph& graph) {
     if (graph.pieces[other].face < 0) back[collar] = true;
     if (graph.pieces[other].face != 0) sewn[collar].push_back(at);
   });
-  for (std::size_t p = 0; p < count; ++p) around[p] = front[p] && back[p] && lie_in_line(sewn[p]);
+  for (std::size_t p = 0; p < count; ++p) {
+    const bool ring = graph.pieces[p].cover == Cover::kCollar && graph.pieces[p].tube;
+    around[p] = ring || (front[p] && back[p] && lie_in_line(sewn[p]));
+  }
   std::vector<int> upon(count);
   each_tie([&](Index collar, Index other, Vec2) { upon[collar] += around[other] ? 1 : -1; });
   for (std::size_t p = 0; p < count; ++p) around[p] = around[p] || upon[p] > 0;

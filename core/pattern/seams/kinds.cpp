@@ -218,7 +218,9 @@ double middle_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 bool takes_both_halves(const SeamModel& m, Index i, Index j) {
   const auto whole = [&](Index r) { return m.runs[r].from == 0 && m.runs[r].to == 1; };
   const auto takes = [&](Index half, Index all) {
-    if (!whole(all)) return false;
+    // The middle of a band between its notches is of both halves, too.
+    if (!whole(all))
+      return m.mirror[all] == all && is_half(m, m.runs[half].panel) && goes_all_around(m, m.runs[all].panel);
     return (is_half(m, m.runs[half].panel) && meets_halves(m, all)) ||
            (goes_all_around(m, m.runs[all].panel) && m.words[m.runs[half].panel].face != 0);
   };

@@ -409,8 +409,7 @@ bool names_nothing(const SeamModel& m) {
 }
 
 std::vector<PieceWords> words_or_shapes_of(const pattern::Pattern& pattern) {
-  SeamModel named = make_seam_model(lines_of(pattern).pattern);
-  return named.nameless ? std::move(named.words) : words_of_garment(pattern);
+  return make_seam_model(lines_of(pattern).pattern).words;
 }
 
 void name_shapes(SeamModel& m) {
