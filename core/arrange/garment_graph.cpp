@@ -166,6 +166,21 @@ std::optional<FlatFit> fit_at(const std::vector<Vec2>& points, const GarmentPiec
   return fit.rms < kAlike * size_of(to) ? std::optional(fit) : std::nullopt;
 }
 
+/// Yokes are of the shoulders by their name; where nothing else covers trunk, arms or neck, and legs or a
+/// skirt are there, they are of these.
+void lower_yokes(const std::vector<seams::PieceWords>& words, std::vector<GarmentPiece>& pieces) {
+  bool upper = false, lower = false;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const Cover c = pieces[p].cover;
+    upper = upper || c == Cover::kSleeve || c == Cover::kCollar || c == Cover::kHood ||
+            (c == Cover::kTorso && !words[p].yoke);
+    lower = lower || c == Cover::kLeg || c == Cover::kSkirt;
+  }
+  if (upper || !lower) return;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    if (words[p].yoke && pieces[p].cover == Cover::kTorso) pieces[p].cover = Cover::kSkirt;
+}
+
 }  // namespace
 
 GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes) {
@@ -185,6 +200,7 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
     piece.hand = -words[p].side;
     graph.pieces.push_back(std::move(piece));
   }
+  lower_yokes(words, graph.pieces);
   for (const mesh::MatchedSeam& seam : meshes.seams) {
     for (const mesh::SewnPair& pair : seam.pairs) {
       for (const mesh::PanelVertex& v : {pair.a, pair.b}) {

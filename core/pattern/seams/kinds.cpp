@@ -336,6 +336,9 @@ double facing_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
     return meet ? 0 : kPairWeights.two_hems;
   }
   if (ua > fully && ub > fully) return level_merit(m, a, b);
+  const bool halves = m.twin[a.panel] == b.panel && a.panel != b.panel;
+  const bool mirrored = a.mirror_panel == b.panel && a.mirror_edge == b.edge;
+  if (std::min(ua, ub) > mostly && halves && !mirrored) return kPairWeights.two_waists;
   const double level = std::max(std::abs(ua), std::abs(ub)), upright = std::min(std::abs(ua), std::abs(ub));
   if (level > fully && upright < kPairWeights.side_up && is_named_alike(m, a, b))
     return kPairWeights.side_to_hem;

@@ -332,10 +332,60 @@ std::optional<FoundSeams> tried(const pattern::Pattern& pattern, const FoundSeam
   return with_series(pattern, cut, a, b, trial.worth);
 }
 
+bool holds(const Chain& chain, Index run) {
+  return std::find(chain.runs.begin(), chain.runs.end(), run) != chain.runs.end();
+}
+
+/// The garment with that seam, whose lengths differ, sewn on along what goes on from its shorter side, so
+/// that they agree: a back's side with the yoke's above it. Nothing where nothing of that length goes on.
+std::optional<FoundSeams> sewn_further(const pattern::Pattern& pattern, const FoundSeams& found,
+                                       std::size_t seam, const std::vector<char>& locked) {
+  const Index a = found.seams[seam].a[0], b = found.seams[seam].b[0];
+  FoundSeams without{found.model, found.gluing, found.seams};
+  without.gluing.undo(a);
+  without.seams.erase(without.seams.begin() + static_cast<std::ptrdiff_t>(seam));
+  const SeamModel& m = without.model;
+  const Index longer = m.runs[a].length > m.runs[b].length ? a : b, shorter = longer == a ? b : a;
+  const std::vector<Chain> chains = chains_of(m, free_borders(m, without.gluing), locked);
+  const auto one = std::find_if(chains.begin(), chains.end(), [&](const Chain& chain) {
+    return chain.runs.size() == 1 && chain.runs[0] == longer;
+  });
+  if (one == chains.end()) return std::nullopt;
+  for (const Chain& chain : chains) {
+    const bool goes_on = chain.runs.size() == 2 && holds(chain, shorter) && !overlap(chain, *one);
+    if (!goes_on || std::abs(chain.length - one->length) > kSeriesWeights.further_mm) continue;
+    if (auto next = with_series(pattern, without, chain, *one, series_merit(m, chain, *one))) return next;
+  }
+  return std::nullopt;
+}
+
+/// The garment with all seams sewn further that can be, and are better for it.
+FoundSeams all_sewn_further(const pattern::Pattern& pattern, FoundSeams found,
+                            const std::vector<char>& locked, const GluingSettings& settings) {
+  for (std::size_t k = 0; k < found.seams.size();) {
+    const FoundSeam& seam = found.seams[k];
+    const bool one = seam.a.size() == 1 && seam.b.size() == 1;
+    const bool differ = one && std::abs(found.model.runs[seam.a[0]].length -
+                                        found.model.runs[seam.b[0]].length) > kSeriesWeights.differ_mm;
+    const auto is_locked = [&](Index r) { return r < static_cast<Index>(locked.size()) && locked[r]; };
+    auto next = differ && !is_locked(seam.a[0]) && !is_locked(seam.b[0])
+                    ? sewn_further(pattern, found, k, locked)
+                    : std::nullopt;
+    const bool better = next && gluing_merit(next->model, next->gluing, settings) >
+                                    gluing_merit(found.model, found.gluing, settings);
+    if (better)
+      found = std::move(*next);  // what follows has moved up
+    else
+      ++k;
+  }
+  return found;
+}
+
 }  // namespace
 
 FoundSeams sewn_in_series(const pattern::Pattern& pattern, FoundSeams found, const std::vector<char>& locked,
                           const GluingSettings& settings, const RunContext& context) {
+  found = all_sewn_further(pattern, std::move(found), locked, settings);
   for (int round = 0; round < 20 && !context.cancelled(); ++round) {
     const std::vector<Chain> chains = chains_of(found.model, free_borders(found.model, found.gluing), locked);
     const double now = gluing_merit(found.model, found.gluing, settings);

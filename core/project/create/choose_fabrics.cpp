@@ -4,6 +4,7 @@
 #include <map>
 #include <string_view>
 
+#include "core/pattern/seams/named_by_shape.h"
 #include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_words.h"
 
@@ -158,12 +159,15 @@ std::string material_fabric(const std::string& material) {
   return "";
 }
 
-void choose_fabrics(const std::vector<std::string>& materials, project::Project& project) {
+void choose_fabrics(const pattern::Pattern& pattern, const std::vector<std::string>& materials,
+                    project::Project& project) {
+  const std::vector<seams::PieceWords> words = seams::words_or_shapes_of(pattern);
   std::vector<std::string> pieces;
   std::map<std::string, int> told;  // pieces cut of each
   for (std::size_t p = 0; p < project.pieces.size(); ++p) {
     project::ProjectPiece& piece = project.pieces[p];
-    pieces.push_back(piece.id);
+    const bool leg = p < words.size() && words[p].guessed && words[p].kind == seams::PieceKind::kLegs;
+    pieces.push_back(leg ? piece.id + " pants" : piece.id);  // its shape says what its name does not
     piece.fabric = piece_fabric(piece.id);
     if (piece.fabric.empty() && p < materials.size()) piece.fabric = material_fabric(materials[p]);
     ++told[piece.fabric];

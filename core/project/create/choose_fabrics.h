@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/pattern/pattern.h"
 #include "core/project/project.h"
 
 namespace toile::create {
@@ -22,7 +23,8 @@ std::string piece_fabric(const std::string& piece);
 std::string material_fabric(const std::string& material);
 
 /// Says all of it in the document. Materials, one per piece or none at all, tell more than names: what most
-/// pieces are cut of is the garment's own, and the others have theirs.
-void choose_fabrics(const std::vector<std::string>& materials, project::Project& project);
+/// pieces are cut of is the garment's own, and the others have theirs. `pattern`: the project's pieces.
+void choose_fabrics(const pattern::Pattern& pattern, const std::vector<std::string>& materials,
+                    project::Project& project);
 
 }  // namespace toile::create

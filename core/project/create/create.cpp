@@ -19,6 +19,7 @@
 #include "core/project/create/choose_fabrics.h"
 #include "core/project/create/choose_mesh.h"
 #include "core/project/create/halves.h"
+#include "core/project/create/pocket_corners.h"
 #include "core/project/create/waist_elastic.h"
 
 namespace toile::create {
@@ -83,10 +84,10 @@ std::string unused_id(const std::string& wanted, std::set<std::string>& used) {
   return id;
 }
 
-/// The piece as often as it is cut, `mirrored` of them turned over: from the file, and turned over in the
-/// document.
+/// The piece as often as it is cut, `mirrored` of them turned over: from the file, and turned over or
+/// `filled` in the document.
 void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int count, int mirrored,
-                    const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
+                    bool filled, const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
                     std::set<std::string>& used, NewProject& made, std::vector<char>& clockwise) {
   // More than a pair of a piece that is its own image are gores, which stand in a row.
   const bool row = count > 2 && pattern::is_own_mirror(panel.outline);
@@ -96,7 +97,7 @@ void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int
     const std::string end = row ? "_" + std::to_string(k + 1) : over && count > 1 ? "_mirrored" : "";
     copy.id = unused_id(drawn.name + end, used);
     project::ProjectPiece piece = inline_piece(copy, {});
-    if (!over) {
+    if (!over && !filled) {
       const std::string& unit = drawing.unit.name;
       const bool told = unit == "mm" || unit == "cm" || unit == "inch";
       piece.outline.clear();
@@ -118,6 +119,7 @@ void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int
 struct CutPieces {
   dxf::DxfDrawing drawing;             ///< without the others
   std::vector<pattern::Panel> panels;  ///< one a piece of it
+  std::vector<char> filled;            ///< of each: its outline is no longer the drawing's
 };
 
 Result<pattern::Panel> panel_of(const dxf::DxfPiece& drawn) {
@@ -131,7 +133,7 @@ Result<pattern::Panel> panel_of(const dxf::DxfPiece& drawn) {
 /// What cannot be cut is left out with a note, as long as anything is left: one bad outline of many must not
 /// keep the garment from being made. Error: that of the first, where none can be cut.
 Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
-  CutPieces cut{drawing, {}};
+  CutPieces cut{drawing, {}, {}};
   cut.drawing.pieces.clear();
   std::optional<Error> first;
   for (const dxf::DxfPiece& drawn : drawing.pieces) {
@@ -148,6 +150,14 @@ Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
   if (first && cut.panels.empty()) return *first;
   const std::vector<Vec2> up = seams::grains_upwards(cut.panels);
   for (std::size_t p = 0; p < up.size(); ++p) cut.panels[p].grain = up[p];
+  cut.filled.assign(cut.panels.size(), 0);
+  for (const PocketCorner& pocket : pocket_corners(cut.panels)) {
+    cut.panels[pocket.panel] = with_corner(cut.panels[pocket.panel], pocket);
+    cut.filled[pocket.panel] = 1;
+    cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[pocket.panel].id) +
+                                " is cut away at a pocket between side and waist: it is drawn whole, as the "
+                                "pocket's facing fills it");
+  }
   return cut;
 }
 
@@ -210,7 +220,8 @@ Status take_dxf(const dxf::DxfDrawing& given, const NewProjectSettings& settings
     const bool both = twice[p] != Twice::kNo;
     const int count = both ? 2 : std::clamp(piece.quantity, 1, kMostCopies);
     const int mirrored = both ? 1 : std::clamp(piece.mirrored, 0, count);
-    take_dxf_piece(piece, panels[p], count, mirrored, drawing, settings, used, made, clockwise);
+    take_dxf_piece(piece, panels[p], count, mirrored, cut.filled[p] != 0, drawing, settings, used, made,
+                   clockwise);
     if (both)
       made.notes.push_back("piece " + in_quotes(piece.name) + " " + why(twice[p]) +
                            ": it is taken twice, once mirrored");
@@ -239,7 +250,7 @@ void complete(const NewProjectSettings& settings, NewProject& made) {
   project.name = settings.name;
   for (const pattern::Seam& seam : made.pattern.seams)
     project.seams.push_back(project_seam(made.pattern, seam));
-  choose_fabrics(made.materials, project);
+  choose_fabrics(made.pattern, made.materials, project);
   choose_mesh(made.pattern, project.settings);
   project::ProjectBody body;
   body.id = "body";
