@@ -11,10 +11,19 @@
 namespace toile::arrange {
 namespace {
 
-/// Sleeves and cuffs sewn to them, and what is sewn to the rest of the garment through those alone.
+/// Sleeves and cuffs sewn to them, and what is sewn to the rest of the garment through those alone. Where
+/// sleeves are cut on, the cuffs of a top.
 std::vector<bool> hang_on_arms(const GarmentGraph& graph) {
   std::vector<bool> on_arm(graph.pieces.size(), false);
-  for (std::size_t p = 0; p < on_arm.size(); ++p) on_arm[p] = graph.pieces[p].cover == Cover::kSleeve;
+  const auto any = [&](Cover cover) {
+    return std::any_of(graph.pieces.begin(), graph.pieces.end(),
+                       [&](const GarmentPiece& piece) { return piece.cover == cover; });
+  };
+  const bool cut_on = !any(Cover::kSleeve) && !any(Cover::kLeg) && any(Cover::kTorso);
+  for (std::size_t p = 0; p < on_arm.size(); ++p) {
+    const GarmentPiece& piece = graph.pieces[p];
+    on_arm[p] = piece.cover == Cover::kSleeve || (cut_on && piece.cover == Cover::kCuff && piece.tube);
+  }
   const auto spread = [&](std::vector<bool>& marked, auto may) {
     for (bool more = true; more;) {
       more = false;

@@ -21,26 +21,46 @@ constexpr double kOnMouth = 1;                    // mm, of a notch from the mou
 
 /// A front's side, the mouth after it or before it, and its waist, in edges of the panel.
 struct Mouth {
-  Index side = kNone, mouth = kNone, waist = kNone;
-  bool after = false;  ///< the outline runs from the side to the waist
+  Index side = kNone, mouth = kNone, waist = kNone;  ///< of the side the edge at the mouth
+  double side_length = 0;                            ///< mm, from the hem
+  bool after = false;                                ///< the outline runs from the side to the waist
 };
 
-Index edge_at(const seams::SeamModel& m, const seams::SeamRun& run, bool after) {
-  return after ? m.runs[run.next].edge : seams::run_before(m, run).edge;
+const seams::SeamRun& beside(const seams::SeamModel& m, const seams::SeamRun& run, bool after) {
+  return after ? m.runs[run.next] : seams::run_before(m, run);
+}
+
+/// The edges that go up from a hem to the waist, the lowest first; none where no waist is above them.
+std::vector<const seams::SeamRun*> side_from(const seams::SeamModel& m, const seams::SeamRun& lowest,
+                                             bool after) {
+  std::vector<const seams::SeamRun*> side{&lowest};
+  for (const seams::SeamRun* next = &beside(m, lowest, after); next->up < kMouthUp[1];
+       next = &beside(m, *next, after)) {
+    if (next == &lowest || next->up < -kMouthUp[1]) return {};  // it went around by the hem
+    side.push_back(next);
+  }
+  return side;
+}
+
+bool begins_side(const seams::SeamModel& m, const seams::SeamRun& run) {
+  return seams::begins_at_hem(m, run) && std::abs(run.up) < kMouthUp[0];
+}
+
+double length_of(const std::vector<const seams::SeamRun*>& side) {
+  double length = 0;
+  for (const seams::SeamRun* run : side) length += run->length;
+  return length;
 }
 
 std::optional<Mouth> mouth_of(const seams::SeamModel& m, Index panel) {
-  for (const seams::SeamRun& side : m.runs) {
-    if (side.panel != panel || !seams::begins_at_hem(m, side) || side.up > seams::kPairWeights.facing)
-      continue;
+  for (const seams::SeamRun& lowest : m.runs) {
+    if (lowest.panel != panel || !begins_side(m, lowest)) continue;
     for (const bool after : {true, false}) {
-      const auto step = [&](const seams::SeamRun& run) -> const seams::SeamRun& {
-        return after ? m.runs[run.next] : seams::run_before(m, run);
-      };
-      const seams::SeamRun &mouth = step(side), &waist = step(mouth);
-      const bool slants = mouth.up > kMouthUp[0] && mouth.up < kMouthUp[1];
-      if (!slants || waist.up < kMouthUp[1] || waist.panel != panel) continue;
-      return Mouth{side.edge, mouth.edge, edge_at(m, mouth, after), after};
+      std::vector<const seams::SeamRun*> side = side_from(m, lowest, after);
+      if (side.size() < 2 || side.back()->up < kMouthUp[0]) continue;
+      const seams::SeamRun& mouth = *side.back();
+      side.pop_back();
+      return Mouth{side.back()->edge, mouth.edge, beside(m, mouth, after).edge, length_of(side), after};
     }
   }
   return std::nullopt;
@@ -82,8 +102,9 @@ std::vector<double> sides_behind(const seams::SeamModel& m) {
   for (const seams::SeamRun& run : m.runs) {
     const seams::PieceWords& words = m.words[run.panel];
     if (words.face >= 0 || words.layer || words.yoke || !seams::has_leg_crotch(m, run.panel)) continue;
-    if (!seams::begins_at_hem(m, run)) continue;
-    for (const double yoke : yokes) sides.push_back(run.length + yoke);
+    if (!begins_side(m, run)) continue;
+    for (const bool after : {true, false})
+      for (const double yoke : yokes) sides.push_back(length_of(side_from(m, run, after)) + yoke);
   }
   return sides;
 }
@@ -105,9 +126,10 @@ std::vector<PocketCorner> pocket_corners(std::span<const pattern::Panel> panels)
   for (Index p = 0; p < static_cast<Index>(panels.size()); ++p) {
     if (m.words[p].face <= 0 || m.words[p].layer || !seams::has_leg_crotch(m, p)) continue;
     const std::optional<Mouth> mouth = mouth_of(m, p);
-    const std::optional<Meeting> meeting = mouth ? meeting_of(panels[p], *mouth) : std::nullopt;
+    if (!mouth) continue;
+    const std::optional<Meeting> meeting = meeting_of(panels[p], *mouth);
     if (!meeting) continue;
-    const double side = pattern::arc_length(panels[p].outline.edges[mouth->side]);
+    const double side = mouth->side_length;
     if (agrees(behind, side + meeting->side) && !agrees(behind, side))
       corners.push_back({p, mouth->mouth, meeting->at});
   }
