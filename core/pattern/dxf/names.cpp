@@ -130,7 +130,7 @@ Heard hear_statements(DxfFound& found, const DxfPlace& place, DxfNotes& notes) {
 Title title_of(const DxfText& text, const std::optional<DxfStatement>& statement) {
   const bool stated = statement && statement->key == "piece name" && !statement->value.empty();
   Title title{stated, false, text.height, 0, text.line, stated ? statement->value : text.text, text.entity};
-  title.named = is_word(title.name) && !is_lost(title.name);
+  title.named = is_word(title.name) && !is_lost(title.name) && !tells_only_quantity(title.name);
   return title;
 }
 

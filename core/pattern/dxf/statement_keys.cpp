@@ -19,14 +19,19 @@ constexpr KeyNames kKeys[] = {
      ";teil;teilname;teilename;schnittteil;piece;nom de piece;nom de la piece;nom piece;"
      "pieza;nombre de pieza;nombre de la pieza;peca;nome da peca;pezzo;nome pezzo;"
      "nome del pezzo;deel;patroondeel;naam;nazwa;czesc;dil;nazev dilu;diel;parca;"
-     "parca adi;delnamn;part name;"},
+     "parca adi;delnamn;part name;detal;nazvanie;nazvanie detali;naimenovanie;naimenovanie detali;"
+     "element;dio;naziv;naziv dijela;komad;kos;alkatresz;szabasresz;megnevezes;kappale;osa;osan nimi;"
+     "piesa;reper;denumire;stykke;stykkenavn;del;molde;nome do molde;裁片;裁片名;裁片名称;部件;パーツ名;"},
     {"size",
      ";groesse;grosse;taille;talla;tamanho;taglia;maat;rozmiar;velikost;velkost;beden;"
-     "storlek;storrelse;"},
+     "storlek;storrelse;razmer;rozmir;velicina;meret;koko;marime;masura;尺码;码数;サイズ;"},
     {"quantity",
      ";anzahl;stueck;stuck;stueckzahl;stuckzahl;menge;quantite;cantidad;quantidade;"
-     "quantita;aantal;ilosc;pocet;kusu;adet;antal;antall;qty;"},
-    {"material", ";stoff;tissu;matiere;tela;tejido;tecido;tessuto;stof;tkanina;latka;kumas;tyg;fabric;"},
+     "quantita;aantal;ilosc;pocet;kusu;adet;antal;antall;qty;kolichestvo;kilkist;kol vo;kolicina;"
+     "mennyiseg;darabszam;darab;maara;lukumaara;kpl;cantitate;bucati;数量;件数;裁片数量;枚数;"},
+    {"material",
+     ";stoff;tissu;matiere;tela;tejido;tecido;tessuto;stof;tkanina;latka;kumas;tyg;fabric;"
+     "materijal;materiale;materiaali;kangas;anyag;tesatura;tkan;面料;布料;生地;"},
     {"style name", ";modell;modele;modelo;modello;"},
     {"units",
      ";einheit;einheiten;unite;unites;unidad;unidades;unita;eenheid;eenheden;jednostka;"

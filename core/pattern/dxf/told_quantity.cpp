@@ -28,6 +28,13 @@ constexpr std::string_view kFoldWords =
     ";fold;bruch;stoffbruch;pli;pliure;doblez;dobra;piega;ripiegata;stoffplooi;stofvouw;vouw;zgiecie;zgieciu;"
     "zlozeni;prehyb;prehybu;kat;katli;taite;taitteelta;taitteesta;hajtas;hajtasra;hajtasban;pliu;indoitura;"
     "vikning;tygvikning;fold;stoffold;sgib;sgibom;presavijen;pregib;";
+/// Beside all these, where a text tells of nothing but how often a piece is cut.
+constexpr std::string_view kBesideWords =
+    ";x;on;the;of;in;im;am;auf;au;aux;al;a;sur;sul;na;so;po;v;do;w;ve;i;and;und;et;y;e;mirrored;mirror;"
+    "gespiegelt;"
+    "spiegelbildlich;gegengleich;zerkalno;zrcadlove;zrcadlovo;aynali;spegelvand;spegelvant;speculare;"
+    "speculari;"
+    "miroir;espejo;espelhado;gespiegeld;peilikuva;tukrozve;tukorkep;lustrzane;oglinda;zrcalno;";
 
 bool is_among(std::string_view list, const std::string& word) {
   return list.find(";" + word + ";") != std::string_view::npos;
@@ -89,6 +96,18 @@ std::optional<DxfQuantity> told_quantity(std::string_view text) {
   if (count == 0 && !tokens.empty() && is_among(kPairWords, tokens.back().text)) count = 2;
   if (count == 0) return std::nullopt;
   return DxfQuantity{count, 0, tells(kFoldWords)};
+}
+
+bool tells_only_quantity(std::string_view text) {
+  if (!told_quantity(text)) return false;
+  const std::vector<Token> tokens = tokens_of(text);
+  return std::all_of(tokens.begin(), tokens.end(), [](const Token& t) {
+    if (t.is_figure()) return true;
+    for (const std::string_view list :
+         {kCutWords, kCountWords, kPairWords, kManyPairWords, kFoldWords, kBesideWords})
+      if (is_among(list, t.text)) return true;
+    return false;
+  });
 }
 
 }  // namespace toile::dxf

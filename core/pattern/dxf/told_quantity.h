@@ -13,4 +13,7 @@ namespace toile::dxf {
 /// tells of no quantity, as "5 x 5" or "size 38".
 std::optional<DxfQuantity> told_quantity(std::string_view text);
 
+/// Whether that is all that the text tells: it is no piece's name.
+bool tells_only_quantity(std::string_view text);
+
 }  // namespace toile::dxf

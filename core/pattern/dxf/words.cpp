@@ -12,7 +12,7 @@ namespace toile::dxf {
 namespace {
 
 constexpr std::size_t kLongestName = 120;  // characters kept of a name
-constexpr std::size_t kLongestKey = 24;
+constexpr std::size_t kLongestKey = 48;    // bytes: letters of other scripts take two or three
 
 void append_utf8(std::string& out, std::uint32_t c) {
   if (c < 0x80) {

@@ -109,13 +109,10 @@ void GluingJudge::join_corners(const SeamGluing& g) {
   for (Index i = 0; i < count; ++i) root_[i] = corners_.root(i);
 }
 
-/// Whether the run and the part of its edge before it are sewn to parts of one edge that follow each other:
-/// the notch between them parts no seam.
-bool GluingJudge::goes_on(const SeamGluing& g, Index r) const {
+/// Whether the run and the part of its edge before it, up to a notch, are both sewn.
+bool GluingJudge::is_parted(const SeamGluing& g, Index r) const {
   const Index before = runs_[r].before;
-  if (before == kNone) return false;
-  const Index x = g.partner[r], y = g.partner[before];
-  return x != kNone && y != kNone && (runs_[x].before == y || runs_[y].before == x);
+  return before != kNone && g.partner[r] != kNone && g.partner[before] != kNone;
 }
 
 /// Each by itself, and the same on mirrored pieces.
@@ -123,7 +120,7 @@ double GluingJudge::pairs(const SeamGluing& g) const {
   double merit = 0;
   for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
     const Index b = g.partner[a];
-    if (goes_on(g, a)) merit += kGarmentWeights.goes_on / 2;  // seen from either side
+    if (is_parted(g, a)) merit += kGarmentWeights.parted;
     if (b <= a) continue;
     merit += g.merit[a][along(g, a, b)];
     const Index ma = runs_[a].mirror, mb = runs_[b].mirror;

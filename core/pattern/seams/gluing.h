@@ -88,7 +88,7 @@ class GluingJudge {
   }
   void join_corners(const SeamGluing& g);
   double pairs(const SeamGluing& g) const;
-  bool goes_on(const SeamGluing& g, Index r) const;
+  bool is_parted(const SeamGluing& g, Index r) const;
   double sides(const SeamGluing& g) const;
   int second_lines_in_rows(const SeamGluing& g) const;
   double limbs(const SeamGluing& g);

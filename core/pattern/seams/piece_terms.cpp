@@ -40,7 +40,8 @@ constexpr std::string_view kGerman =
     "kragenstand=collar stand;armelschlitz=placket;seitenstreifen=side;rockbahn=skirt "
     "panel;teilungsnaht=panel;"
     "stehbund=collar;umlegekragen=collar;bubikragen=collar;schalkragen=collar;rollkragen=collar;"
-    "jeans=pants;shorts=pants;";
+    "jeans=pants;shorts=pants;"
+    "innenbund=facing;innenbeleg=facing;knopfband=placket;";
 
 constexpr std::string_view kFrench =
     "devant=front;dos=back;gauche=left;droit=right;droite=right;cote=side;bord cote=rib;"
@@ -64,7 +65,8 @@ constexpr std::string_view kFrench =
     "garniture=facing;proprete=facing;epaule=shoulder;pont=fly;sous "
     "pont=fly;gousset=gusset;emmanchure=armhole;"
     "jambes=leg;poignets=cuff;bretelles=strap;poches=pocket;cotes=side;capuches=hood;robe=dress;"
-    "blouson=jacket;combinaison=overall;";
+    "blouson=jacket;combinaison=overall;"
+    "interieur=facing;interieure=facing;";
 
 constexpr std::string_view kSpanishPortuguese =
     "delant=front;post=back;esp=back;espald=back;tras=back;pret=waistband;mga=sleeve;cllo=collar;bols=pocket;"
@@ -123,7 +125,8 @@ constexpr std::string_view kItalian =
     "bordo collo=neckband;bordo polso=cuff;bordo "
     "vita=waistband;telo=panel;fessino=placket;cannoncino=placket;"
     "listello=placket;sacchetto tasca=pocket;sacchetto=pocket;rinforzo=interlining;gambale=leg;"
-    "davanti sinistro=left front;davanti destro=right front;";
+    "davanti sinistro=left front;davanti destro=right front;"
+    "sacco=pocket;interna=facing;interno=facing;interni=facing;";
 
 constexpr std::string_view kDutch =
     "voor=front;voorkant=front;achter=back;achterkant=back;rugpand=back;zijkant=side;zijpand=side;"
@@ -209,7 +212,8 @@ constexpr std::string_view kSwedishDanishNorwegian =
     "bakben=back leg;frambyxa=front pants;bakbyxa=back pants;forbuks=front pants;bagbuks=back pants;"
     "forbukse=front pants;bakbukse=back pants;forskjort=front skirt;bakskjort=back skirt;forstykker=front;"
     "bagstykker=back;talje=waist;taljeband=waistband;linning rem=waistband;aermelinning=cuff;manchetter=cuff;"
-    "slag=lapel;volanger=ruffle;genser=sweater;troja=sweater;troje=sweater;frakke=coat;";
+    "slag=lapel;volanger=ruffle;genser=sweater;troja=sweater;troje=sweater;frakke=coat;"
+    "knappsla=placket;knapsla=placket;";
 
 constexpr std::string_view kCzechSlovak =
     "predni=front;predny=front;predne=front;zadni=back;zadny=back;zadne=back;predni dil=front;"
@@ -229,7 +233,8 @@ constexpr std::string_view kCzechSlovak =
     "halenka=blouse;bunda=jacket;kabat=coat;vesta=vest;sako=jacket;poutko=loop;putko=loop;opasek=belt;"
     "opasok=belt;naplet krk=neckband;naplet krku=neckband;naplet rukav=cuff;naplet rukavu=cuff;"
     "manzety=cuff;manzetka=cuff;leginy=leggings;tilko=tshirt;sukni=skirt;sukne predni=front skirt;"
-    "sukne zadni=back skirt;";
+    "sukne zadni=back skirt;"
+    "pd=front;zd=back;";
 
 // Russian and Ukrainian, as they are written in Latin letters.
 constexpr std::string_view kRussianUkrainian =
@@ -286,7 +291,8 @@ constexpr std::string_view kFinnishHungarianRomanian =
     "corsaj=bodice;fuste=skirt;crac=leg;clin=gusset;punga=pocket;dublura=lining;garnitura=facing;"
     "bentita=band;bentita gat=neckband;gat=neck;bretea=strap;bretele=strap;rochie=dress;camasa=shirt;"
     "jacheta=jacket;sacou=jacket;palton=coat;tricou=tshirt;insertie=interlining;intaritura=interlining;"
-    "clapa=flap;prohab=fly;fata pantalon=front pants;spate pantalon=back pants;";
+    "clapa=flap;prohab=fly;fata pantalon=front pants;spate pantalon=back pants;"
+    "bujtatas=facing;fele=half;";
 
 constexpr std::string_view kCroatianSerbianSlovene =
     "prednji=front;prednja=front;prednje=front;prednjica=front;straznji=back;straznja=back;straznjica=back;"

@@ -57,7 +57,8 @@ PieceKind kind_of(const std::vector<std::string>& words) {
   const auto has = [&](const char* word) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
-  if (has("cuff") && has("skirt")) return PieceKind::kFrill;
+  const bool frill = has("ruffle") || has("flounce") || has("frill");
+  if ((has("cuff") && has("skirt")) || (frill && (has("sleeve") || has("cuff")))) return PieceKind::kFrill;
   PieceKind kind = PieceKind::kOther;
   for (const KindWord& known : kWords)
     if (has(known.word)) kind = known.kind;
@@ -172,6 +173,7 @@ PieceWords words_of(const std::string& name) {
   const bool neckband = tells_band(all, "neck") || tells_band(all, "collar");
   if (neckband) words.kind = PieceKind::kCollar;
   words.stand = neckband;
+  if (tells_band(all, "sleeve") || tells_band(all, "leg")) words.kind = PieceKind::kCuff;
   words.hem_band = tells_band(all, "hem") || tells_band(all, "bottom") || tells_band(all, "waist");
   if (words.hem_band && words.kind == PieceKind::kBand)
     words.hem_band = false;  // "waistband" is what it says

@@ -228,7 +228,7 @@ struct GarmentWeights {
   double round_deg = 45;         ///< that it turns by …
   double hem = -0.5;             ///< … unless it faces down so much
   double mirrored = 1;           ///< the same seam on the other side
-  double goes_on = -5;         ///< a seam parted at a notch for nothing: its lengths are no agreement of two
+  double parted = -4;           ///< an edge sewn in two parts that a notch parts: lengths agree twice by chance
   double torn_line = -2.5;     ///< a smooth line that is sewn up to some point of it and no further
   double smooth_deg = 15;      ///< that it may bend by
   double same_gather = 3;      ///< neighbours gathered alike
