@@ -206,7 +206,8 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
       if (!told.empty()) named.notes.mark(text.entity, DxfFate::kConverted, told, found.id);
       continue;
     }
-    if (const auto quantity = told_quantity(text.text); quantity && !found.piece.counted) {
+    if (const auto quantity = told_quantity(text.text);
+        quantity && !found.piece.counted && tells_only_quantity(text.text)) {
       count(found.piece, *quantity);
       named.notes.mark(text.entity, DxfFate::kConverted, "quantity", found.id);
     }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/latin_letters.h"
+#include "core/base/text.h"
 
 namespace toile::dxf {
 namespace {
@@ -43,9 +44,9 @@ constexpr KeyNames kKeys[] = {
 }  // namespace
 
 std::string english_key(const std::string& key) {
-  const std::string wanted = ";" + in_latin_letters(key) + ";";
+  const std::string latin = lower_case(in_latin_letters(key)), wanted = ";" + latin + ";";
   const KeyNames* known = std::find_if(std::begin(kKeys), std::end(kKeys), [&](const KeyNames& names) {
-    return names.others.find(wanted) != std::string_view::npos;
+    return names.english == latin || names.others.find(wanted) != std::string_view::npos;
   });
   return known == std::end(kKeys) ? key : std::string(known->english);
 }

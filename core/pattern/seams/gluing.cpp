@@ -109,10 +109,11 @@ void GluingJudge::join_corners(const SeamGluing& g) {
   for (Index i = 0; i < count; ++i) root_[i] = corners_.root(i);
 }
 
-/// Whether the run and the part of its edge before it, up to a notch, are both sewn.
+/// Whether the run is sewn, and so is a part of its edge on the other side of a notch.
 bool GluingJudge::is_parted(const SeamGluing& g, Index r) const {
-  const Index before = runs_[r].before;
-  return before != kNone && g.partner[r] != kNone && g.partner[before] != kNone;
+  const Index before = runs_[r].before, after = runs_[r].next;
+  return (before != kNone && g.partner[before] != kNone) ||
+         (runs_[after].before == r && g.partner[after] != kNone);
 }
 
 /// Each by itself, and the same on mirrored pieces.
@@ -120,9 +121,9 @@ double GluingJudge::pairs(const SeamGluing& g) const {
   double merit = 0;
   for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {
     const Index b = g.partner[a];
-    if (is_parted(g, a)) merit += kGarmentWeights.parted;
     if (b <= a) continue;
     merit += g.merit[a][along(g, a, b)];
+    if (is_parted(g, a) && is_parted(g, b)) merit += kGarmentWeights.parted;
     const Index ma = runs_[a].mirror, mb = runs_[b].mirror;
     if (ma != kNone && mb != kNone && ma != b && g.partner[ma] == mb)
       merit += kGarmentWeights.mirrored * std::min(runs_[a].share, runs_[b].share);

@@ -212,8 +212,14 @@ void name_legs(SeamModel& m) {
 
 void find_crotch_sides(SeamModel& m) {
   std::vector<std::array<bool, 2>> crotch(m.words.size());  // that faces left, right
+  // A leg that is for front and back, and has a mirror image, has a crotch at either side.
+  const auto is_whole = [&](Index p) {
+    return m.words[p].kind == PieceKind::kLegs && m.words[p].face == 0 && m.twin[p] != kNone &&
+           m.twin[p] != p;
+  };
   for (const SeamRun& run : m.runs)
-    if (m.words[run.panel].leg && is_leg_crotch(m, run)) crotch[run.panel][faces_right(m, run) > 0] = true;
+    if (m.words[run.panel].leg && !is_whole(run.panel) && is_leg_crotch(m, run))
+      crotch[run.panel][faces_right(m, run) > 0] = true;
   m.crotch_side.clear();
   for (const std::array<bool, 2>& sides : crotch)
     m.crotch_side.push_back(static_cast<int>(sides[1]) - static_cast<int>(sides[0]));

@@ -201,6 +201,7 @@ std::optional<double> beyond_collar(const SeamModel& m, const Chain& collar, con
       collar.runs.size() != 1 || neck.runs.size() < 3 || !is_of(m, collar, PieceKind::kCollar) ||
       !is_of_bodice(m, neck) || !is_symmetric(m, collar) || !is_symmetric(m, neck))
     return std::nullopt;
+  if (m.words[m.runs[collar.runs.front()].panel].stand) return std::nullopt;  // ribs are stretched on
   const Index front = m.runs[neck.runs.front()].panel, other = m.runs[neck.runs.back()].panel;
   const bool opens = front != other && m.twin[front] == other && m.words[front].face >= 0;
   const double least = std::min(m.runs[neck.runs.front()].length, m.runs[collar.runs.front()].length);

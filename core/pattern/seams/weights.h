@@ -228,14 +228,14 @@ struct GarmentWeights {
   double round_deg = 45;         ///< that it turns by …
   double hem = -0.5;             ///< … unless it faces down so much
   double mirrored = 1;           ///< the same seam on the other side
-  double parted = -4;           ///< an edge sewn in two parts that a notch parts: lengths agree twice by chance
-  double torn_line = -2.5;     ///< a smooth line that is sewn up to some point of it and no further
-  double smooth_deg = 15;      ///< that it may bend by
-  double same_gather = 3;      ///< neighbours gathered alike
-  double gathered = 1.05;      ///< times the other edge's length
-  double like_gather = 0.015;  ///< share by which their ratios may differ
-  int gathers = 2;             ///< that count
-  double second_line = -10;    ///< twins meet along one line, the middle of the body, seldom along two
+  double parted = -2.5;          ///< a part up to a notch sewn to such a part: lengths agree twice by chance
+  double torn_line = -2.5;       ///< a smooth line that is sewn up to some point of it and no further
+  double smooth_deg = 15;        ///< that it may bend by
+  double same_gather = 3;        ///< neighbours gathered alike
+  double gathered = 1.05;        ///< times the other edge's length
+  double like_gather = 0.015;    ///< share by which their ratios may differ
+  int gathers = 2;               ///< that count
+  double second_line = -10;      ///< twins meet along one line, the middle of the body, seldom along two
 
   // Pieces are mostly drawn from their right side, and mirrored ones from the same side.
   double turned = -4;          ///< a piece from the other side …
@@ -257,7 +257,7 @@ struct SeriesWeights {
   double collar_fits = 0.03;     ///< … this share
   double overlap_least_mm = 6;   ///< what a neck goes on beyond each end of a collar, or this beyond that …
   double overlap_most_mm = 45;   ///< … where fronts are buttoned over each other
-  double collar_in_middle = 16;  ///< it ends before the fronts do
+  double collar_in_middle = 24;  ///< it ends before the fronts do
   double tier_on_tier = 5;       ///< the least that lengths say of a tier gathered onto the one above it
   double rib_on_neck = 2;        ///< the least that lengths say of a closed neckband …
   double rib_stretched = 0.75;   ///< … which is at least this share of its neck

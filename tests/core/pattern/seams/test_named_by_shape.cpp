@@ -151,5 +151,60 @@ TEST(NamedByShape, WhatShapesTellIsNeverSure) {
     EXPECT_LT(p.confidence, 0.8) << p.seam.id;
 }
 
+/// Hem, inner edge, seat in two edges with a corner between them, waist, front's middle, inner edge.
+pattern::Panel whole_leg(const std::string& name) {
+  return piece(name, {{-100, 0},
+                      {100, 0, Vec2{130, 350}},
+                      {250, 660},
+                      {180, 770},
+                      {150, 990},
+                      {-150, 990, Vec2{-165, 750}},
+                      {-245, 660, Vec2{-130, 350}}});
+}
+
+TEST(NamedByShape, APairThatNarrowsFromLikeInnerEdgesToALevelWaistIsLegs) {
+  const pattern::Panel leg = whole_leg("1");
+  const Panels leggings{leg, mirrored(leg, "1_mirrored"), strip("2", 540, 80)};
+  EXPECT_EQ(kind_of(leggings, 0), PieceKind::kLegs);
+  EXPECT_EQ(kind_of(leggings, 2), PieceKind::kBand) << "stretched onto the waist";
+  const WornSeams worn(leggings);
+  EXPECT_TRUE(worn.has({"1.e1"}, {"1.e6"})) << worn.text();
+  EXPECT_TRUE(worn.has({"1.e5"}, {"1_mirrored.e5"})) << worn.text();
+  EXPECT_TRUE(worn.has({"1.e2"}, {"1_mirrored.e2"})) << worn.text();
+  EXPECT_TRUE(worn.has({"1.e3"}, {"1_mirrored.e3"})) << "the seat goes on around its corner\n" << worn.text();
+}
+
+/// A casing cut along its grain, and tiers of two panels, each half as wide again as the one above it.
+Panels tiers_of_numbers() {
+  Panels panels{strip("4", 1000, 70)};
+  panels[0].grain = {1, 0};
+  double width = 500;
+  for (const char* name : {"1", "2", "3"}) {
+    panels.push_back(strip(name + std::string("A"), width, 200 + width / 50));
+    panels.push_back(strip(name + std::string("B"), width, 200 + width / 50));
+    width *= 1.5;
+  }
+  return panels;
+}
+
+TEST(NamedByShape, TiersHangFromACasingTheWiderFromTheNarrower) {
+  const Panels panels = tiers_of_numbers();
+  const seams::SeamModel m = seams::make_seam_model({panels, {}});
+  EXPECT_EQ(m.words[0].kind, PieceKind::kBand);
+  for (std::size_t p = 1; p < panels.size(); ++p) {
+    EXPECT_EQ(m.words[p].kind, PieceKind::kSkirt) << p;
+    EXPECT_EQ(m.level[p], static_cast<int>((p - 1) / 2)) << p;
+  }
+  const WornSeams worn(panels);
+  EXPECT_TRUE(worn.has({"1A.e1"}, {"1B.e3"})) << worn.text();
+  EXPECT_TRUE(worn.has({"1A.e3"}, {"1B.e1"})) << "at both sides\n" << worn.text();
+  const auto gathered = [&](const std::string& upper, const std::string& lower) {
+    return (worn.has({upper + "A.e0"}, {lower + "A.e2"}) && worn.has({upper + "B.e0"}, {lower + "B.e2"})) ||
+           (worn.has({upper + "A.e0"}, {lower + "B.e2"}) && worn.has({upper + "B.e0"}, {lower + "A.e2"}));
+  };
+  EXPECT_TRUE(gathered("1", "2")) << worn.text();
+  EXPECT_TRUE(gathered("2", "3")) << worn.text();
+}
+
 }  // namespace
 }  // namespace toile

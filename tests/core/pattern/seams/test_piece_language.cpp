@@ -7,6 +7,8 @@
 #include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_terms.h"
 #include "core/pattern/seams/piece_words.h"
+#include "tests/core/pattern/garments.h"
+#include "tests/core/pattern/seams/worn_seams.h"
 
 namespace toile {
 namespace {
@@ -120,6 +122,49 @@ TEST(PieceLanguage, BytesThatAreNoTextDoNoHarm) {
 
   EXPECT_EQ(words_of_piece("\xc3"), Words{});
   EXPECT_EQ(words_of_piece("\xff\xc5sleeve\xc3\x28"), (Words{"sleeve"}));
+}
+
+std::vector<seams::PieceWords> words_of_names(const std::vector<std::string>& names) {
+  pattern::Pattern pattern;
+  for (const std::string& name : names) pattern.panels.push_back(garments::strip(name, 100, 50));
+  return seams::words_of_garment(pattern);
+}
+
+TEST(PieceLanguage, LettersThatAloneTellTwoPiecesApartAreSides) {
+  for (const char* letters : {"GD", "ID", "SD", "ED", "LP"}) {
+    const auto words =
+        words_of_names({"Devant", std::string("Manche_") + letters[0], std::string("Manche_") + letters[1]});
+    EXPECT_EQ(words[1].side, -1) << letters;
+    EXPECT_EQ(words[2].side, 1) << letters;
+  }
+  EXPECT_EQ(words_of_names({"Devant", "Dos", "Manche_D"})[2].side, 0) << "no other";
+}
+
+TEST(PieceLanguage, ABesideAAreTwoParts) {
+  EXPECT_EQ(words_of_names({"2301A", "2301B"})[1].face, 0);
+  EXPECT_EQ(words_of_names({"2301F", "2301B"})[1].face, -1);
+}
+
+TEST(PieceLanguage, TheMirrorImageOfALeftPieceIsARightOne) {
+  const auto words = words_of_names({"Front left", "Front left_mirrored", "Back"});
+  EXPECT_EQ(words[0].side, -1);
+  EXPECT_EQ(words[1].side, 1);
+}
+
+TEST(PieceLanguage, RibsAndFrillsOfSleevesEndThem) {
+  EXPECT_EQ(seams::words_of("Mudd \u00e4rm 2x").kind, PieceKind::kCuff);
+  EXPECT_EQ(seams::words_of("bord c\u00f4te manche").kind, PieceKind::kCuff);
+  EXPECT_EQ(seams::words_of("ujja fodor").kind, PieceKind::kFrill);
+  EXPECT_TRUE(seams::words_of("BORD COTE COL").stand) << "a neckband";
+}
+
+TEST(PieceLanguage, MoreLanguagesAreUnderstood) {
+  EXPECT_EQ(words_of_piece("prednji dio"), (Words{"front", "dio"}));
+  EXPECT_EQ(words_of_piece("p\u0159edn\u00ed d\u00edl"), (Words{"front"}));
+  EXPECT_EQ(words_of_piece("bretea st\u00e2ng\u0103"), (Words{"strap", "left"}));
+  EXPECT_EQ(words_of_piece("\u021aes\u0103tur\u0103").front(), "tesatura");
+  EXPECT_TRUE(seams::words_of("contropatta").layer);
+  EXPECT_TRUE(seams::words_of("vy\u00f6t\u00e4r\u00f6").kind == PieceKind::kBand);
 }
 
 }  // namespace

@@ -319,5 +319,56 @@ TEST(Offices, AShortSleeveOfTwoCapHalvesStandsOnItsHem) {
   EXPECT_TRUE(stands(short_sleeve(30)));
 }
 
+/// Half a front with so much beyond its middle to button it over the other, mm.
+pattern::Panel buttoned_front(const std::string& name, double beyond) {
+  return piece(name, {{-beyond, 0},
+                      {250, 0},
+                      {245, 380, Vec2{190, 390}, Vec2{185, 430}},
+                      {200, 600},
+                      {70, 640, Vec2{60, 540}, Vec2{30, 540}},
+                      {-beyond, 540}});
+}
+
+TEST(Offices, ACollarEndsInTheMiddleOfFrontsThatAreButtonedOverEachOther) {
+  const pattern::Panel front = buttoned_front("Front", 15), back = shirt("Back", 600);
+  const double neck = 2 * garments::length_of(front, 4) + garments::length_of(back, 4) - 30;
+  const pattern::Panel arm = sleeve("Sleeve", 110);
+  pattern::Panel collar = piece("Collar", {{0, 0}, {neck, 0}, {neck + 50, 70}, {-50, 70}});
+  const pattern::Pattern pattern{
+      {front, mirrored(front, "Front_mirrored"), back, arm, mirrored(arm, "Sleeve_2"), collar}, {}};
+  const auto proposals = seams::propose_seams(pattern, {});
+  const auto on_collar = [](const seams::SeamProposal& p) {
+    return p.seam.b.size() == 1 && p.seam.b[0].panel == 5 && p.seam.b[0].edge == 0 && p.seam.a.size() == 3;
+  };
+  const auto met = std::find_if(proposals.begin(), proposals.end(), [&](const seams::SeamProposal& p) {
+    seams::SeamProposal other = p;
+    if (other.seam.a.size() == 1) std::swap(other.seam.a, other.seam.b);
+    return on_collar(other);
+  });
+  ASSERT_NE(met, proposals.end()) << WornSeams(pattern.panels).text();
+  EXPECT_NEAR(met->length_a, met->length_b, 1) << "15 mm of each front go on beyond it";
+  EXPECT_GT(met->confidence, 0.6);
+}
+
+TEST(Offices, ABacksSideGoesOnAlongItsYoke) {
+  pattern::Panel front = piece(
+      "Front pants",
+      {{0, 0}, {200, 0, Vec2{205, 600}}, {220, 1185}, {0, 1185, Vec2{0, 1000}, Vec2{0, 770}}, {-60, 760}});
+  pattern::Panel back = piece(
+      "Back pants",
+      {{0, 0}, {230, 0, Vec2{235, 600}}, {250, 1140}, {10, 1140, Vec2{0, 1000}, Vec2{0, 775}}, {-110, 760}});
+  pattern::Panel yoke = piece("Back yoke", {{0, 0}, {240, 0}, {240, 45}, {0, 75}});
+  const std::vector<pattern::Panel> trousers{front, mirrored(front, "Front pants_mirrored"),
+                                             back,  mirrored(back, "Back pants_mirrored"),
+                                             yoke,  mirrored(yoke, "Back yoke_mirrored")};
+  ASSERT_NEAR(garments::length_of(front, 1), garments::length_of(back, 1) + 45, 3);
+  const WornSeams worn(trousers);
+  const bool either = worn.has({"Front pants.e1"}, {"Back pants.e1", "Back yoke.e1"}) ||
+                      worn.has({"Front pants.e1"}, {"Back yoke.e1", "Back pants.e1"}) ||
+                      worn.has({"Front pants.e1"}, {"Back yoke_mirrored.e1", "Back pants_mirrored.e1"}) ||
+                      worn.has({"Front pants.e1"}, {"Back pants_mirrored.e1", "Back yoke_mirrored.e1"});
+  EXPECT_TRUE(either) << worn.text();
+}
+
 }  // namespace
 }  // namespace toile

@@ -113,5 +113,18 @@ TEST(UpperEnds, WhatTellsNothingGoesWithThoseDrawnAlikeIfTheyAgree) {
 /// Their legs' openings are hollow, and face down.
 TEST(UpperEnds, BriefsAreNotStoodOnTheirHeads) { expect_up(briefs(), 0, 1, "briefs"); }
 
+TEST(UpperEnds, AShallowNeckTellsWhereSleevesAreCutOnAndTheHemIsStraight) {
+  pattern::Panel back = piece("back", {{-280, 0},
+                                       {280, 0, Vec2{270, 190}},
+                                       {400, 230},
+                                       {460, 390},
+                                       {115, 470, Vec2{0, 415}},
+                                       {-115, 470},
+                                       {-460, 390},
+                                       {-400, 230, Vec2{-270, 190}}});
+  back.grain = {0, -1};
+  EXPECT_GT(seams::grains_upwards({back})[0].y, 0.99);
+}
+
 }  // namespace
 }  // namespace toile

@@ -1,0 +1,96 @@
+// How often a piece is cut, where names and labels tell it in passing, and statements in other languages.
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "core/pattern/dxf/read.h"
+#include "core/pattern/dxf/told_quantity.h"
+#include "tests/core/pattern/dxf/dxf_text.h"
+
+namespace toile {
+namespace {
+
+using dxf::told_quantity;
+using namespace dxf_text;  // NOLINT(google-build-using-namespace): names of a test's own text
+
+TEST(DxfQuantities, FiguresBesideWordsOfCuttingAndCountingTell) {
+  const std::initializer_list<std::pair<std::string, int>> cases{
+      {"SLEEVE x2", 2},        {"2x Taschenbeutel", 2}, {"CORTAR 2 (PAR)", 2},
+      {"couper 1 paire", 2},   {"2 pairs", 4},          {"2 ADET (AYNALI)", 2},
+      {"POCKET cut 4", 4},     {"rukav 2 ks", 2},       {"2 \u0434\u0435\u0442.", 2},
+      {"Manga - 2 pzs 1x", 1}, {"1x im Stoffbruch", 1}, {"Hiha 2 kpl", 2}};
+  for (const auto& [text, count] : cases) {
+    ASSERT_TRUE(told_quantity(text)) << text;
+    EXPECT_EQ(told_quantity(text)->as_drawn, count) << text;
+  }
+  EXPECT_TRUE(told_quantity("cut 2 on fold")->told_apart) << "none of them is turned over";
+}
+
+TEST(DxfQuantities, SizesAndLengthsAreNone) {
+  for (const char* text :
+       {"FRONT 38", "5 x 5", "pocket 12 x 14", "Style 4471-03", "Sleeve", "x", "", "40x pcs"})
+    EXPECT_FALSE(told_quantity(text)) << text;
+}
+
+TEST(DxfQuantities, WhatTellsNothingElseIsNoName) {
+  for (const char* text : {"2x", "cut 1 on fold", "2 ADET (AYNALI)",
+                           "2 \u0434\u0435\u0442. \u0437\u0435\u0440\u043a\u0430\u043b\u044c\u043d\u043e"})
+    EXPECT_TRUE(dxf::tells_only_quantity(text)) << text;
+  for (const char* text : {"SLEEVE x2", "Sleeve"}) EXPECT_FALSE(dxf::tells_only_quantity(text)) << text;
+}
+
+/// Pieces in a row, each with texts inside it.
+dxf::DxfDrawing pieces_with(const std::vector<std::vector<std::string>>& texts) {
+  std::string body;
+  double x = 0;
+  for (const std::vector<std::string>& lines : texts) {
+    body += rectangle({x, 0}, 200, 300);
+    double y = 280;
+    for (const std::string& line : lines) body += text({x + 20, y -= 20}, line);
+    x += 300;
+  }
+  return *dxf::read_dxf(entities(body), in_mm());
+}
+
+TEST(DxfQuantities, NamesAndLabelsCountPiecesWhereNothingElseDoes) {
+  const dxf::DxfDrawing named = pieces_with({{"Front"}, {"Sleeve x2"}});
+  EXPECT_EQ(named.pieces[0].quantity, 1);
+  EXPECT_EQ(named.pieces[1].quantity, 2);
+  EXPECT_EQ(named.pieces[1].mirrored, 1);
+  const dxf::DxfDrawing labelled = pieces_with({{"2x", "Sleeve"}, {"Front", "Quantity: 1", "2x"}});
+  EXPECT_EQ(labelled.pieces[0].name, "Sleeve");
+  EXPECT_EQ(labelled.pieces[0].quantity, 2);
+  EXPECT_EQ(labelled.pieces[1].quantity, 1) << "what is stated counts more";
+}
+
+TEST(DxfQuantities, SizesBehindAllNamesAndPiecesThatAreDrawnTwiceAreNotCounted) {
+  for (const dxf::DxfPiece& piece : pieces_with({{"Front 2X"}, {"Back 2X"}, {"Sleeve 2X"}}).pieces)
+    EXPECT_EQ(piece.quantity, 1) << "a size";
+  const dxf::DxfDrawing drawn = pieces_with({{"Sleeve x2"}, {"Sleeve x2"}, {"Front"}});
+  EXPECT_EQ(drawn.pieces[0].quantity + drawn.pieces[1].quantity, 2);
+}
+
+TEST(DxfQuantities, StatementsOfOtherLanguagesAreRead) {
+  const std::initializer_list<std::tuple<std::string, std::string, std::string>> cases{
+      {"\u0414\u0435\u0442\u0430\u043b\u044c: A",
+       "\u041a\u043e\u043b\u0438\u0447\u0435\u0441\u0442\u0432\u043e: 2",
+       "\u041c\u0430\u0442\u0435\u0440\u0438\u0430\u043b: Denim"},
+      {"Naziv: A", "Koli\u010dina: 2", "Materijal: Denim"},
+      {"Alkatr\u00e9sz: A", "Darabsz\u00e1m: 2", "Anyag: Denim"},
+      {"Reper: A", "Cantitate: 2", "\u021aes\u0103tur\u0103: Denim"},
+      {"Kappale: A", "M\u00e4\u00e4r\u00e4: 2", "Kangas: Denim"}};
+  for (const auto& [name, quantity, material] : cases) {
+    const dxf::DxfPiece piece = pieces_with({{name, quantity, material}}).pieces[0];
+    EXPECT_EQ(piece.name, "A") << name;
+    EXPECT_EQ(piece.quantity, 2) << quantity;
+    EXPECT_EQ(piece.material, "Denim") << material;
+  }
+}
+
+}  // namespace
+}  // namespace toile
