@@ -479,6 +479,42 @@ TEST(Arrange, ACollarThatIsOpenInFrontLiesAroundTheNeckFromBehindTheOneOnItsStan
   EXPECT_TRUE(collision::self_crossings(surface, s.assembly.positions).empty());
 }
 
+TEST(Arrange, ACollarOnAClosedStandLiesAroundTheNeckThoughAYokeIsBehind) {
+  pattern::Pattern pattern = test::collared_vest();
+  pattern.panels[2].id = "yoke";
+  pattern.seams.push_back(test::seam("stand", {{3, 1}}, {{3, 3}}));
+  const Start s = started(pattern);
+  ASSERT_EQ(s.made.placements.size(), 5U);
+  EXPECT_EQ(s.made.pieces[3].where, "collar, around the neck");
+  EXPECT_EQ(s.made.pieces[4].where, "collar, around the neck");
+}
+
+TEST(Arrange, YokesOfASkirtAreOfTheSkirt) {
+  pattern::Pattern pattern = test::skirt();
+  pattern.panels[2].id = "front yoke";
+  pattern.panels[3].id = "back yoke";
+  const Start s = started(pattern);
+  for (const std::size_t p : {std::size_t{2}, std::size_t{3}})
+    EXPECT_EQ(s.made.pieces[p].where.substr(0, 5), "skirt") << s.made.pieces[p].where;
+  EXPECT_LT(centre_of(s, 2).y, figure().waist + 0.1);
+}
+
+TEST(Arrange, EqualTiersThatAreSewnAtBothSidesStandBeforeAndBehind) {
+  pattern::Pattern pattern;
+  const auto tier = [](const std::string& id, double width) {
+    return test::polygon(id, {{0, 0}, {width, 0}, {width, 200}, {0, 200}});
+  };
+  pattern.panels = {tier("1A", 500), tier("1B", 500), tier("2A", 620), tier("2B", 620)};
+  pattern.seams = {
+      test::seam("left", {{0, 1}}, {{1, 3}}),       test::seam("right", {{0, 3}}, {{1, 1}}),
+      test::seam("lower left", {{2, 1}}, {{3, 3}}), test::seam("lower right", {{2, 3}}, {{3, 1}}),
+      test::seam("front", {{2, 2}}, {{0, 0}}),      test::seam("back", {{3, 2}}, {{1, 0}})};
+  const Start s = started(pattern);
+  EXPECT_LT(centre_of(s, 0).z * centre_of(s, 1).z, 0);
+  EXPECT_LT(centre_of(s, 2).z * centre_of(s, 3).z, 0);
+  EXPECT_GT(centre_of(s, 0).z * centre_of(s, 2).z, 0) << "each below the one that it hangs from";
+}
+
 TEST(FlatMove, TheAxisOfPointsIsTheirLineHoweverDenseTheyLieOnIt) {
   const Vec2 along = normalized(Vec2{3, 1}), at{2, -1};
   std::vector<Vec2> points;

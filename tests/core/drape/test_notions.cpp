@@ -150,6 +150,17 @@ TEST(Notions, AnElasticThatNothingElseHoldsGathersTheClothAndKeepsItUp) {
   EXPECT_GT(top(r.positions), top(loose.positions) + 0.1) << "without it the tube falls";
 }
 
+TEST(Notions, WhatIsHeldUntilFrictionCarriesItIsGatheredAsWell) {
+  drape::DrapeInput input = banded_tube();
+  for (sewing::Attachment& attachment : input.attachments) attachment.release_after = 0.2;
+  EXPECT_FALSE(input.hangs_by_hooks());
+  const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
+  expect_clean(r);
+  EXPECT_NEAR(ring_length(input, r, 1) / 0.52, 1, 0.03) << "in folds, not squeezed";
+  input.attachments[0].release_after = -1;
+  EXPECT_TRUE(input.hangs_by_hooks());
+}
+
 TEST(Notions, ACreaseAlongALineComesToRestAtItsAngle) {
   drape::DrapeInput input = floating(100, 60, {0});
   input.pattern.panels[0].lines = {{"fold", {{0, 0}, {0, 60}}}};

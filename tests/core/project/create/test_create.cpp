@@ -10,6 +10,7 @@
 #include "core/pattern/validate.h"
 #include "core/project/create/choose_fabrics.h"
 #include "core/project/create/create.h"
+#include "core/project/create/pocket_corners.h"
 #include "core/project/resolve/resolve.h"
 #include "tests/core/pattern/garments.h"
 
@@ -342,6 +343,59 @@ TEST(ProjectNew, ABandAsLongAsAWideWaistIsACasing) {
   ASSERT_EQ(made->project.elastics.size(), 1u);
   EXPECT_EQ(made->project.elastics[0].piece, "Waistband");
   EXPECT_EQ(made->project.elastics[0].lines.size(), 1u) << "the free one of its long edges";
+}
+
+/// Right half of trousers' front, cut away at a pocket between its side (so high, mm) and its waist.
+pattern::Panel slashed_front(double side) {
+  return garments::piece(
+      "Front",
+      {{0, 0}, {220, 0}, {220, side}, {180, 1000}, {0, 1000, Vec2{0, 900}, Vec2{0, 775}}, {-60, 760}});
+}
+
+pattern::Panel back_of_trousers(double side) {
+  return garments::piece("Back",
+                         {{0, 0}, {240, 0}, {240, side}, {0, side, Vec2{0, 900}, Vec2{0, 775}}, {-110, 760}});
+}
+
+TEST(ProjectNew, AFrontThatIsCutAwayAtAPocketIsDrawnWhole) {
+  const pattern::Panel facing = garments::piece("Pocket facing", {{0, 0}, {60, 0}, {60, 200}, {0, 200}});
+  const std::vector<pattern::Panel> panels{slashed_front(840), back_of_trousers(1000), facing};
+  const std::vector<create::PocketCorner> corners = create::pocket_corners(panels);
+  ASSERT_EQ(corners.size(), 1u);
+  EXPECT_EQ(corners[0].panel, 0);
+  EXPECT_EQ(corners[0].mouth, 2);
+  EXPECT_NEAR(corners[0].corner.x, 220, 1e-6);
+  EXPECT_NEAR(corners[0].corner.y, 1000, 1e-6);
+  const pattern::Panel whole = create::with_corner(panels[0], corners[0]);
+  ASSERT_EQ(whole.outline.edges.size(), 5u);
+  EXPECT_TRUE(pattern::validate(whole).ok());
+  EXPECT_NEAR(garments::length_of(whole, 1), 1000, 1e-6);
+  EXPECT_NEAR(garments::length_of(whole, 2), 220, 1e-6);
+  const auto made = create::new_project(drawing_of(panels), settings());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_FALSE(made->project.pieces[0].outline.empty()) << "it is no longer the drawing's";
+  EXPECT_FALSE(made->project.pieces[0].from.has_value());
+}
+
+TEST(ProjectNew, WhereNothingFillsItOrSidesAgreeAFrontStaysAsItIsDrawn) {
+  const pattern::Panel facing = garments::piece("Pocket facing", {{0, 0}, {60, 0}, {60, 200}, {0, 200}});
+  EXPECT_TRUE(create::pocket_corners(std::vector{slashed_front(840), back_of_trousers(1000)}).empty());
+  EXPECT_TRUE(create::pocket_corners(std::vector{slashed_front(840), back_of_trousers(840), facing}).empty());
+}
+
+TEST(ProjectNew, MaterialsOfTheDrawingTellTheCloth) {
+  dxf::DxfDrawing drawing = *dxf::read_dxf(drawing_of(garments::trousers().panels));
+  for (dxf::DxfPiece& piece : drawing.pieces) piece.material = "JERSEY";
+  drawing.pieces.back().material = "Bord-c\u00f4te";
+  const auto made = create::new_project(drawing, settings());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_EQ(made->project.fabric, "single-jersey");
+  EXPECT_EQ(made->project.pieces.front().fabric, "");
+  EXPECT_EQ(made->project.pieces.back().fabric, "rib")
+      << "ribs are the garment's own only where nothing else is";
+  EXPECT_EQ(create::material_fabric("Popeline 100 % Baumwolle"), "poplin");
+  EXPECT_EQ(create::material_fabric("DRESOWKA"), "sweatshirt-fleece");
+  EXPECT_EQ(create::material_fabric("SELF"), "");
 }
 
 }  // namespace
