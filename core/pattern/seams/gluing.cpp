@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/pattern/seams/armholes.h"
+#include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
