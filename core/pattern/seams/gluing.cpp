@@ -94,7 +94,8 @@ GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
     if (model.runs[runs_[i].next].from_notch) runs_[runs_[i].next].before = i;
   root_.resize(runs_.size());
   for (Index p = 0; p < static_cast<Index>(model.words.size()); ++p)
-    is_whole_.push_back(model.nameless && mirrors_itself(model, p));
+    is_whole_.push_back(model.nameless && model.words[p].kind == PieceKind::kSkirt &&
+                        mirrors_itself(model, p));
 }
 
 void GluingJudge::join_corners(const SeamGluing& g) {
@@ -220,8 +221,8 @@ double GluingJudge::middles(const SeamGluing& g) {
     lines_[runs_[r].panel] += in_middle(r) && !(in_middle(runs_[r].next) && goes_on(runs_[r].next));
   double merit = kGarmentWeights.second_line * static_cast<double>(second_lines_in_rows(g));
   for (std::size_t p = 0; p < lines_.size(); ++p) {
-    // A leg that is cut in one piece has the middle of the front and that of the back; two panels that are
-    // their own mirror images are a front and a back, with two sides.
+    // A leg that is cut in one piece has the middle of the front and that of the back; two panels of a
+    // skirt that are their own mirror images are a front and a back, with two sides.
     const bool both = (m_.words[p].kind == PieceKind::kLegs && m_.words[p].face == 0) || is_whole_[p];
     if (m_.twin[p] > static_cast<Index>(p))
       merit += kGarmentWeights.second_line * std::max(0, lines_[p] - (both ? 2 : 1));

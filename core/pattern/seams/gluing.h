@@ -105,7 +105,7 @@ class GluingJudge {
   GluingSettings settings_;
   std::vector<Run> runs_;
   DisjointSets corners_, parts_, borders_;
-  std::vector<char> is_whole_;  ///< of each panel of a nameless garment: it is its own mirror image
+  std::vector<char> is_whole_;  ///< of each panel of a nameless skirt: it is its own mirror image
   std::vector<Index> root_;     ///< of each corner, once they are joined
   std::vector<PointSums> sums_;
   std::vector<Gather> gathers_;
