@@ -6,7 +6,7 @@
 #include "core/arrange/piece_cover.h"
 #include "core/geometry/polygon2.h"
 #include "core/mesh/sewn_part.h"
-#include "core/pattern/seams/named_by_shape.h"
+#include "core/pattern/seams/garment_words.h"
 #include "core/pattern/seams/piece_words.h"
 
 namespace toile::arrange {
@@ -185,7 +185,7 @@ void lower_yokes(const std::vector<seams::PieceWords>& words, std::vector<Garmen
 
 GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::PanelMeshes& meshes) {
   GarmentGraph graph;
-  const std::vector<seams::PieceWords> words = seams::words_or_shapes_of(pattern);
+  const std::vector<seams::PieceWords> words = seams::garment_words(pattern);
   std::vector<std::vector<Index>> numbers;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     GarmentPiece piece;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace toile {
 namespace {
@@ -34,12 +35,6 @@ constexpr std::array<std::string_view, 32> kCyrillic{
     "a", "b", "v", "g", "d", "e",  "zh", "z",  "i",  "y",    "k", "l", "m", "n", "o",  "p",
     "r", "s", "t", "u", "f", "kh", "ts", "ch", "sh", "shch", "",  "y", "",  "e", "yu", "ya"};
 
-/// S and T with a comma below, of Romanian (U+0218 to U+021B); null for other letters.
-const char* bare_romanian(unsigned letter) {
-  constexpr std::array<const char*, 4> kLetters{"S", "s", "T", "t"};
-  return letter >= 0x218 && letter <= 0x21B ? kLetters[letter - 0x218] : nullptr;
-}
-
 /// What a letter of U+0400 to U+047F is written as; empty: it is none of Russian or Ukrainian, or mute.
 std::string_view latin_of_cyrillic(unsigned letter) {
   if (letter >= 0x430 && letter <= 0x44F) return kCyrillic[letter - 0x430];
@@ -65,6 +60,20 @@ std::string_view latin_of_cyrillic(unsigned letter) {
   }
 }
 
+/// S and T with a comma below, of Romanian (U+0218 to U+021B); empty for other letters.
+std::string_view latin_of_romanian(unsigned letter) {
+  constexpr std::array<std::string_view, 4> kLetters{"S", "s", "T", "t"};
+  return letter >= 0x218 && letter <= 0x21B ? kLetters[letter - 0x218] : "";
+}
+
+/// What a letter of two bytes is written as; nothing for those that stay.
+std::optional<std::string> latin_of(unsigned letter) {
+  if (letter >= 0xC0 && letter <= 0x17F) return bare(letter);
+  if (letter >= 0x400 && letter <= 0x4BF) return std::string(latin_of_cyrillic(letter));
+  const std::string_view romanian = latin_of_romanian(letter);
+  return romanian.empty() ? std::nullopt : std::optional<std::string>(romanian);
+}
+
 /// Whether the byte goes on a letter of UTF-8.
 bool goes_on(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80; }
 
@@ -74,19 +83,12 @@ std::string in_latin_letters(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    const bool accented = byte >= 0xC3 && byte <= 0xC5, cyrillic = byte >= 0xD0 && byte <= 0xD2;
-    const bool two = i + 1 < text.size() && goes_on(text[i + 1]);
-    const unsigned letter = two ? (byte & 0x1Fu) << 6 | (static_cast<unsigned char>(text[i + 1]) & 0x3Fu) : 0;
-    const char* romanian = byte == 0xC8 && two ? bare_romanian(letter) : nullptr;
-    if (!two || (!accented && !cyrillic && romanian == nullptr)) {
-      out += text[i];
-      continue;
-    }
-    if (romanian != nullptr)
-      out += romanian;
-    else
-      out += accented ? bare(letter) : std::string(latin_of_cyrillic(letter));
-    ++i;
+    const bool two = byte >= 0xC3 && byte <= 0xDF && i + 1 < text.size() && goes_on(text[i + 1]);
+    const std::optional<std::string> latin =
+        two ? latin_of((byte & 0x1Fu) << 6 | (static_cast<unsigned char>(text[i + 1]) & 0x3Fu))
+            : std::nullopt;
+    out += latin ? *latin : std::string(1, text[i]);
+    i += latin ? 1 : 0;
   }
   return out;
 }

@@ -137,6 +137,14 @@ std::vector<Index> runs_of(const SeamModel& m, Index panel) {
 
 bool equally_long(double a, double b) { return std::abs(a - b) <= 0.5 + 0.005 * std::max(a, b); }
 
+bool same_edges(const SeamModel& m, Index p, Index q) {
+  std::vector<double> lengths[2];
+  for (const Index r : runs_of(m, p)) lengths[0].push_back(m.runs[r].length);
+  for (const Index r : runs_of(m, q)) lengths[1].push_back(m.runs[r].length);
+  for (std::vector<double>& l : lengths) std::sort(l.begin(), l.end());
+  return std::equal(lengths[0].begin(), lengths[0].end(), lengths[1].begin(), lengths[1].end(), equally_long);
+}
+
 bool mirrors_itself(const SeamModel& m, Index panel) {
   constexpr double kNear = 0.03;  // of its length
   const Vec2 up = m.up[panel], right{up.y, -up.x};

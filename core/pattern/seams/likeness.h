@@ -12,6 +12,9 @@ bool equally_long(double a, double b);
 /// The panel's runs.
 std::vector<Index> runs_of(const SeamModel& m, Index panel);
 
+/// Whether one piece is the other, or its mirror image, by the lengths of its edges.
+bool same_edges(const SeamModel& m, Index p, Index q);
+
 /// Whether the piece turned over across its length, of a trunk across its grain, is the piece itself, but for
 /// a button stand. REQUIRES the model's runs and `up`.
 bool mirrors_itself(const SeamModel& m, Index panel);

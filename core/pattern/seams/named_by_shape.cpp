@@ -10,7 +10,7 @@
 
 #include "core/pattern/seams/bodice.h"
 #include "core/pattern/seams/likeness.h"
-#include "core/pattern/seams/lines.h"
+#include "core/pattern/seams/named_strips.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
@@ -23,11 +23,6 @@ constexpr double kShoulder[2] = {25, 230};         // mm
 constexpr double kLeastSlope = 0.7;                // how much a shoulder faces up at least
 constexpr double kSidesOfSleeve = 0.03;            // share that the edges beside a cap differ by at most
 constexpr double kCapBend = 25;                    // degrees, that a cap bends at least
-
-void guess(PieceWords& words, PieceKind kind) {
-  words.kind = kind;
-  words.guessed = true;
-}
 
 Index pieces(const SeamModel& m) { return static_cast<Index>(m.words.size()); }
 
@@ -123,15 +118,6 @@ bool share_length(const std::vector<Shoulder>& a, const std::vector<Shoulder>& b
   });
 }
 
-/// Whether one piece is the other, or its mirror image, by the lengths of its edges.
-bool same_edges(const SeamModel& m, Index p, Index q) {
-  std::vector<double> lengths[2];
-  for (const Index r : runs_of(m, p)) lengths[0].push_back(m.runs[r].length);
-  for (const Index r : runs_of(m, q)) lengths[1].push_back(m.runs[r].length);
-  for (std::vector<double>& l : lengths) std::sort(l.begin(), l.end());
-  return std::equal(lengths[0].begin(), lengths[0].end(), lengths[1].begin(), lengths[1].end(), equally_long);
-}
-
 /// How far the run goes down from its ends, mm.
 double depth_of(const SeamModel& m, const SeamRun& neck, const SeamRun& shoulder) {
   const Vec2 up = m.up[neck.panel];
@@ -217,7 +203,7 @@ double name_sleeves(SeamModel& m) {
   for (const SeamRun& run : m.runs) {
     PieceWords& words = m.words[run.panel];
     if (words.kind != PieceKind::kOther || words.layer || !is_cap_of(m, run, lengths)) continue;
-    guess(words, PieceKind::kSleeve);
+    words.guess(PieceKind::kSleeve);
     words.limb = true;
     wrist = m.girth[run.panel] - run.length - m.runs[run.next].length - run_before(m, run).length;
   }
@@ -258,109 +244,6 @@ double cut_on_wrist(const SeamModel& m) {
   return wrist;
 }
 
-/// Length of the long sides of a strip that is that many times as long as wide, mm; 0 of what is none.
-double strip_length(const SeamModel& m, Index panel, double slim) {
-  constexpr double kAlike = 0.05;  // share
-  const std::vector<Index> runs = runs_of(m, panel);
-  if (runs.size() != 4) return 0;
-  const auto run = [&](std::size_t k) -> const SeamRun& { return m.runs[runs[k]]; };
-  const std::size_t k = run(0).length > run(1).length ? 0 : 1;
-  const bool even = difference(run(k), run(k + 2)) < kAlike && bend_of(run(k)) < kPairWeights.straight_deg;
-  return even && run(k).length > slim * run(1 - k).length ? run(k).length : 0;
-}
-
-/// Stands a strip on one of its long sides, as it goes around a body.
-void stand_along(SeamModel& m, Index panel) {
-  const std::vector<Index> runs = runs_of(m, panel);
-  const SeamRun& first = m.runs[runs[0]];
-  const SeamRun& side = first.length > m.runs[runs[1]].length ? first : m.runs[runs[1]];
-  const Vec2 across = perpendicular(normalized(chord(side)));
-  m.up[panel] = dot(across, m.up[panel]) < 0 ? -across : across;
-  for (const Index r : runs) m.runs[r].up = dot(normalized(-perpendicular(chord(m.runs[r]))), m.up[panel]);
-}
-
-/// Strips that fit a waist, wrists, a neck, a hem.
-void name_strips(SeamModel& m, double wrist) {
-  using enum PieceKind;
-  constexpr double kSlim = 2.5, kCuffSlim = 1.4;  // times as long as wide; a rib is folded
-  struct Place {
-    double length;       // mm, of what the strip goes around
-    double least, most;  // times that
-    PieceKind kind;
-  };
-  const Place places[] = {{ends_of(m, kLegs, true), 0.75, 1.2, kBand},
-                          {wrist, 0.45, 1.05, kCuff},
-                          {neck_of(m), 0.65, 1.05, kCollar},
-                          {ends_of(m, kTorso, false), 0.6, 1.05, kBand}};
-  for (Index p = 0; p < pieces(m); ++p) {
-    PieceWords& words = m.words[p];
-    const double length = strip_length(m, p, kCuffSlim);
-    if (length == 0 || words.kind != kOther || words.layer) continue;
-    const bool two = std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& other) {
-      const auto q = static_cast<Index>(&other - m.words.data());
-      return q != p && same_edges(m, p, q);
-    });
-    for (const Place& place : places) {
-      if (place.length == 0 || (place.kind == kCuff && !two) || (place.kind == kCollar && two)) continue;
-      if (place.kind != kCuff && strip_length(m, p, kSlim) == 0) continue;
-      const double halves = two && place.kind == kBand ? 2 : 1;
-      if (halves * length < place.least * place.length || halves * length > place.most * place.length)
-        continue;
-      guess(words, place.kind);
-      stand_along(m, p);
-      words.limb = place.kind == kCuff;
-      words.stand = place.kind == kCollar;
-      break;
-    }
-  }
-}
-
-/// Pieces in pairs that end level above and below are the skirt of a waistband: its tiers, the narrowest
-/// above.
-void name_tiers(SeamModel& m) {
-  constexpr double kSame = 0.01;  // share
-  std::vector<std::pair<double, Index>> tiers;
-  for (const SeamRun& run : m.runs) {
-    const PieceWords& words = m.words[run.panel];
-    const Index twin = m.twin[run.panel];
-    const bool pair = twin != kNone && twin != run.panel;
-    if (words.kind == PieceKind::kOther && !words.layer && pair && run.up > kPairWeights.facing_fully)
-      tiers.emplace_back(run.length, run.panel);
-  }
-  std::sort(tiers.begin(), tiers.end());
-  int level = -1;
-  double last = 0;
-  for (const auto& [length, panel] : tiers) {
-    level += length > (1 + kSame) * last ? 1 : 0;
-    last = length;
-    guess(m.words[panel], PieceKind::kSkirt);
-    m.level[panel] = level;
-  }
-}
-
-/// A strip that is as long as the upper ends of two pieces that mirror each other: a skirt's waistband.
-void name_waistband(SeamModel& m) {
-  using enum PieceKind;
-  constexpr double kSlim = 6, kFits = 0.03;  // times as long as wide; share
-  const bool other = std::any_of(m.words.begin(), m.words.end(),
-                                 [](const PieceWords& w) { return w.kind != kOther && w.kind != kBand; });
-  if (other) return;
-  for (Index p = 0; p < pieces(m); ++p) {
-    const double length = strip_length(m, p, kSlim);
-    if (length == 0 || m.words[p].layer || m.words[p].kind != kOther) continue;
-    const bool fits = std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-      const Index twin = m.twin[run.panel];
-      return twin != kNone && twin != run.panel && run.panel != p && run.up > kPairWeights.facing_fully &&
-             std::abs(2 * run.length - length) < kFits * length;
-    });
-    if (!fits) continue;
-    guess(m.words[p], kBand);
-    stand_along(m, p);
-    name_tiers(m);
-    return;
-  }
-}
-
 /// Pairs with a lower edge as long as half the neck, far larger than a collar, and round: hoods.
 void name_hoods(SeamModel& m) {
   constexpr double kLeast = 0.85, kMost = 1.2, kLarge = 900, kRound = 40;  // times half the neck; mm; degrees
@@ -374,7 +257,7 @@ void name_hoods(SeamModel& m) {
         std::any_of(all.begin(), all.end(), [&](Index r) { return bend_of(m.runs[r]) > kRound; });
     const bool fits =
         round && run.length > kLeast * half && run.length < kMost * half && run.up < -kLeastSlope;
-    if (words.kind == PieceKind::kOther && !words.layer && pair && fits) guess(words, PieceKind::kHood);
+    if (words.kind == PieceKind::kOther && !words.layer && pair && fits) words.guess(PieceKind::kHood);
   }
 }
 
@@ -408,10 +291,6 @@ bool names_nothing(const SeamModel& m) {
   });
 }
 
-std::vector<PieceWords> words_or_shapes_of(const pattern::Pattern& pattern) {
-  return make_seam_model(lines_of(pattern).pattern).words;
-}
-
 void name_shapes(SeamModel& m) {
   std::vector<std::vector<Shoulder>> shoulders;
   shoulders.reserve(m.words.size());
@@ -432,9 +311,9 @@ void name_shapes(SeamModel& m) {
               (cut_on[p] > 0 && equally_long(cut_on[p], cut_on[q]));
       legs = legs || (crotch[p] && crotch[q]);
     }
-    if (torso) guess(words, PieceKind::kTorso);
+    if (torso) words.guess(PieceKind::kTorso);
     if (!torso && legs) {
-      guess(words, PieceKind::kLegs);
+      words.guess(PieceKind::kLegs);
       words.leg = true;
     }
   }
@@ -445,14 +324,15 @@ void name_by_fit(SeamModel& m) {
   for (Index p = 0; p < pieces(m); ++p) {
     PieceWords& words = m.words[p];
     if (words.kind != PieceKind::kOther || words.layer || !is_whole_leg(m, p)) continue;
-    guess(words, PieceKind::kLegs);
+    words.guess(PieceKind::kLegs);
     words.leg = true;
   }
   tell_faces(m, of_kind(m, PieceKind::kTorso), kNeck, [&](Index p) { return neck_depth(m, p); });
   tell_faces(m, of_kind(m, PieceKind::kLegs), kCrotch,
              [&](Index p) -> std::optional<double> { return -crotch_length(m, p); });
   const double sleeves = name_sleeves(m), wrist = sleeves > 0 ? sleeves : cut_on_wrist(m);
-  name_strips(m, wrist);
+  name_strips(m,
+              {ends_of(m, PieceKind::kLegs, true), wrist, neck_of(m), ends_of(m, PieceKind::kTorso, false)});
   name_waistband(m);
   name_hoods(m);
 }

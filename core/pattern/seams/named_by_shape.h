@@ -10,10 +10,6 @@ namespace toile::seams {
 /// shapes may.
 bool names_nothing(const SeamModel& m);
 
-/// What the names of a garment's pieces tell, and where they leave something open its other pieces and its
-/// shapes; one per panel.
-std::vector<PieceWords> words_or_shapes_of(const pattern::Pattern& pattern);
-
 /// Kinds of pieces that shoulders and crotches tell: bodices and legs.
 void name_shapes(SeamModel& m);
 

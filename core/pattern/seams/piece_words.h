@@ -40,6 +40,11 @@ struct PieceWords {
   bool hem_band = false;       ///< a band that ends a top below; of a skirt nothing tells what it is
   bool over_shoulder = false;  ///< a strap, no tie or belt
   bool layer = false;          ///< a lining, a facing, a pocket: cloth that lies on other cloth
+
+  void guess(PieceKind what) {
+    kind = what;
+    guessed = true;
+  }
 };
 
 /// Whether pieces of that kind go around the neck.

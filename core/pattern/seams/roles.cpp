@@ -159,15 +159,13 @@ void name_trunk(SeamModel& m) {
   for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
     if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
     if (banded && (slopes_to_hem(m, p) || is_level_leg(m, p))) continue;
-    words[p].kind = kTorso;
-    words[p].guessed = true;
+    words[p].guess(kTorso);
     top = true;
   }
   if (!top || covered) return;
   for (PieceWords& w : words) {
     if (!unnamed(w) || (w.face == 0 && !w.flank)) continue;
-    w.kind = kTorso;
-    w.guessed = true;
+    w.guess(kTorso);
   }
 }
 
@@ -205,8 +203,8 @@ void name_legs(SeamModel& m) {
   }
   if (!front || !back) return;
   for (const Index p : legs) {
-    m.words[p].kind = PieceKind::kLegs;
-    m.words[p].leg = m.words[p].guessed = true;
+    m.words[p].guess(PieceKind::kLegs);
+    m.words[p].leg = true;
   }
 }
 
@@ -236,8 +234,7 @@ void name_skirts(SeamModel& m) {
     if (has_leg_crotch(m, p)) return;
   for (PieceWords& w : m.words)
     if (is_cloth(w)) {
-      w.kind = kSkirt;
-      w.guessed = true;
+      w.guess(kSkirt);
     }
 }
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string_view>
 
-#include "core/pattern/seams/named_by_shape.h"
+#include "core/pattern/seams/garment_words.h"
 #include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_words.h"
 
@@ -114,12 +114,13 @@ const char* fabric_of(const std::vector<std::string>& words) {
   return nullptr;
 }
 
-bool are_trousers(const std::vector<std::string>& pieces) {
+/// `legs`: by their shape, whatever their names are.
+bool are_trousers(const std::vector<std::string>& pieces, bool legs) {
   const auto any = [&](seams::PieceKind kind) {
     return std::any_of(pieces.begin(), pieces.end(),
                        [&](const std::string& piece) { return seams::words_of(piece).kind == kind; });
   };
-  return any(seams::PieceKind::kLegs) && !any(seams::PieceKind::kTorso);
+  return (legs || any(seams::PieceKind::kLegs)) && !any(seams::PieceKind::kTorso);
 }
 
 /// A neckband that no collar is sewn to is a rib: knits have one, since nothing else closes their neck.
@@ -134,10 +135,10 @@ bool are_of_a_knit(const std::vector<std::string>& pieces) {
 
 }  // namespace
 
-std::string garment_fabric(const std::string& name, const std::vector<std::string>& pieces) {
+std::string garment_fabric(const std::string& name, const std::vector<std::string>& pieces, bool legs) {
   if (const char* fabric = fabric_of(garment_words(name))) return fabric;
   if (are_of_a_knit(pieces)) return "single-jersey";
-  if (!are_trousers(pieces)) return "shirting";
+  if (!are_trousers(pieces, legs)) return "shirting";
   // Legs say by their own names what trousers they are: "LEGGING LEG", "JEANS BACK".
   for (const std::string& piece : pieces)
     if (const char* fabric = fabric_of(garment_words(piece))) return fabric;
@@ -161,13 +162,15 @@ std::string material_fabric(const std::string& material) {
 
 void choose_fabrics(const pattern::Pattern& pattern, const std::vector<std::string>& materials,
                     project::Project& project) {
-  const std::vector<seams::PieceWords> words = seams::words_or_shapes_of(pattern);
+  const std::vector<seams::PieceWords> words = seams::garment_words(pattern);
+  const bool legs = std::any_of(words.begin(), words.end(), [](const seams::PieceWords& w) {
+    return w.guessed && w.kind == seams::PieceKind::kLegs;
+  });
   std::vector<std::string> pieces;
   std::map<std::string, int> told;  // pieces cut of each
   for (std::size_t p = 0; p < project.pieces.size(); ++p) {
     project::ProjectPiece& piece = project.pieces[p];
-    const bool leg = p < words.size() && words[p].guessed && words[p].kind == seams::PieceKind::kLegs;
-    pieces.push_back(leg ? piece.id + " pants" : piece.id);  // its shape says what its name does not
+    pieces.push_back(piece.id);
     piece.fabric = piece_fabric(piece.id);
     if (piece.fabric.empty() && p < materials.size()) piece.fabric = material_fabric(materials[p]);
     ++told[piece.fabric];
@@ -178,7 +181,7 @@ void choose_fabrics(const pattern::Pattern& pattern, const std::vector<std::stri
   const auto most = std::max_element(told.begin(), told.end(),
                                      [](const auto& x, const auto& y) { return x.second < y.second; });
   const bool says = most != told.end() && !most->first.empty();
-  project.fabric = says ? most->first : garment_fabric(project.name, pieces);
+  project.fabric = says ? most->first : garment_fabric(project.name, pieces, legs);
   for (project::ProjectPiece& piece : project.pieces)
     if (piece.fabric == project.fabric) piece.fabric.clear();
 }

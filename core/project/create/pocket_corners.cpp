@@ -103,8 +103,11 @@ std::vector<double> sides_behind(const seams::SeamModel& m) {
     const seams::PieceWords& words = m.words[run.panel];
     if (words.face >= 0 || words.layer || words.yoke || !seams::has_leg_crotch(m, run.panel)) continue;
     if (!begins_side(m, run)) continue;
-    for (const bool after : {true, false})
-      for (const double yoke : yokes) sides.push_back(length_of(side_from(m, run, after)) + yoke);
+    for (const bool after : {true, false}) {
+      const std::vector<const seams::SeamRun*> side = side_from(m, run, after);
+      if (side.empty()) continue;
+      for (const double yoke : yokes) sides.push_back(length_of(side) + yoke);
+    }
   }
   return sides;
 }
