@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -242,6 +244,21 @@ TEST(ProjectCommand, NewMakesAProjectThatChecks) {
   EXPECT_TRUE(fs::exists(folder / "made" / "post.obj")) << "the document names files beside itself";
   const Ran check = run_toile({"check", out});
   EXPECT_TRUE(has(check.out, "piece front")) << check.out << check.err;
+  fs::remove_all(folder);
+}
+
+TEST(ProjectCommand, NewReplacesItsFilesWithoutTouchingWhatOthersRead) {
+  const fs::path folder = napkin_folder("toile_project_new_twice");
+  write_text(folder / "tube.json", kSpecification);
+  const fs::path out = folder / "made" / "project.json";
+  const std::vector<std::string> words{
+      "project", "new", "--pattern", folder / "tube.json", "--body", folder / "post.obj", "--out", out};
+  ASSERT_EQ(run_toile(words).code, 0);
+  std::ifstream reader(folder / "made" / "post.obj");  // another command, in the middle of its reading
+  write_text(folder / "post.obj", "# anew\n" + std::string(kPost));
+  ASSERT_EQ(run_toile(words).code, 0);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), kPost);
+  EXPECT_EQ(text_of(folder / "made" / "post.obj"), "# anew\n" + std::string(kPost));
   fs::remove_all(folder);
 }
 
