@@ -57,8 +57,9 @@ Skeleton skeleton_of(const measure::BodyFigure& f) {
   const auto end_far = [](std::vector<Vec3>& line, Vec3 along) {
     line.push_back(line.back() + normalized(along) * kFarAway);
   };
-  // Out through the face: a hood covers the head, and its opening lies there.
-  skeleton[kHead] = {middle, chest, neck, {neck.x, 0.5 * (f.chin + f.top), neck.z}};
+  // Out through the mouth: a hood covers the head, and its opening lies there, seldom up to the brow.
+  constexpr double kMouth = 0.3;  // of the head's height above the chin
+  skeleton[kHead] = {middle, chest, neck, {neck.x, f.chin + kMouth * (f.top - f.chin), neck.z}};
   end_far(skeleton[kHead], {0, 0, 1});
   for (std::size_t side = 0; side < 2; ++side) {
     const measure::ArmLine& arm = f.arm[side];

@@ -255,6 +255,22 @@ double arm_begins(const SeamModel& m, const SeamRun& run, const SeamRun* sleeve)
   return fits(depth) ? place(depth) : -1;
 }
 
+/// Cuts the upper edge of a waistband where the sides of the bib come to lie that stands on its middle.
+void cut_for_bibs(const SeamModel& m, std::vector<std::vector<double>>& cuts) {
+  for (const SeamRun& bib : m.runs) {
+    const PieceWords& words = m.words[bib.panel];
+    if (!words.bib || words.layer || bib.up > -kPairWeights.facing_fully) continue;
+    for (std::size_t r = 0; r < m.runs.size(); ++r) {
+      const SeamRun& run = m.runs[r];
+      const PieceWords& band = m.words[run.panel];
+      const double beside = (run.length - bib.length) / 2;
+      if (band.kind != PieceKind::kBand || band.layer || band.face * words.face < 0) continue;
+      if (run.up < kPairWeights.facing_fully || beside < kCutWeights.alike * run.length) continue;
+      cuts[r] = {beside, run.length - beside};
+    }
+  }
+}
+
 /// Cuts sides that go up to the shoulder where the arm comes out, and the sleeves there at the shoulder. What
 /// they are cut for is known, as at a notch.
 void cut_for_arms(SeamModel& m, std::vector<std::vector<double>>& cuts) {
@@ -323,6 +339,7 @@ SeamModel with_likely_cuts(const pattern::Pattern& pattern, SeamModel model, Cut
   for (Index r = 0; r < static_cast<Index>(cuts.size()); ++r)
     if (!cuts[r].empty() && best_two(model, lines, r, kCutWeights.exact).first != nullptr) cuts[r].clear();
   cut_for_arms(model, cuts);
+  cut_for_bibs(model, cuts);
   const SeamModel whole = model;
   const Index count = static_cast<Index>(whole.runs.size());
   std::vector<char> met(whole.runs.size(), 0);  // parts of a line with darts that has found its partner

@@ -6,6 +6,7 @@
 #include "core/pattern/seams/armholes.h"
 #include "core/pattern/seams/bodice.h"
 #include "core/pattern/seams/cuts.h"
+#include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
@@ -28,11 +29,23 @@ bool is_cuffed(const SeamModel& m, const SeamRun& end, const SeamRun& cuff) {
 }
 
 /// A piece of two edges has its sides somewhere on them, and none of the two is an upper or lower end.
-bool has_no_sides(const SeamModel& m, const SeamRun& run) { return m.lines[run.panel] < 3; }
+/// A cuff with round ends is one that hangs by its straight edge all the same.
+bool has_no_sides(const SeamModel& m, const SeamRun& run) {
+  return m.lines[run.panel] < 3 && m.words[run.panel].kind != PieceKind::kCuff;
+}
 
 /// Whether both are of gores that numbers tell apart.
 bool in_one_row(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return m.rows[a.panel].row != kNone && m.rows[a.panel].row == m.rows[b.panel].row;
+}
+
+/// Whether the run is the upper edge of a back that hangs from a yoke over both shoulders: the neck is the
+/// yoke's.
+bool is_below_yoke(const SeamModel& m, const SeamRun& run) {
+  if (m.words[run.panel].face >= 0 || run.up < kPairWeights.facing_fully) return false;
+  if (run.turn.back() < kPairWeights.neck_deg) return false;  // hollow, as a neck
+  return std::any_of(m.words.begin(), m.words.end(),
+                     [](const PieceWords& w) { return w.yoke && w.face == 0 && !w.layer; });
 }
 
 /// Whether the run is of a bodice or its yoke and cannot be at its neck: it faces the side, slopes as a
@@ -43,7 +56,7 @@ bool is_off_neck(const SeamModel& m, const SeamRun& run) {
   if (words.yoke) return run.line_turn > kPairWeights.neck_deg;  // its neck is hollow
   if (words.kind != PieceKind::kTorso) return false;
   const bool parted_front = words.face >= 0 && m.twin[run.panel] != run.panel;
-  return hem || from_side(m, run) < -kPairWeights.off_neck || is_shoulder(m, run) ||
+  return hem || is_below_yoke(m, run) || from_side(m, run) < -kPairWeights.off_neck || is_shoulder(m, run) ||
          (!parted_front && begins_at_hem(m, run));
 }
 
@@ -120,10 +133,19 @@ double level_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return in_one_row(m, a, b) ? kPairWeights.waists_in_row : kPairWeights.two_waists;
 }
 
+/// Whether the piece is of a skirt or of legs that hang from a bodice.
+bool is_below_bodice(const SeamModel& m, Index panel) {
+  const PieceKind kind = m.words[panel].kind;
+  if (kind != PieceKind::kSkirt && kind != PieceKind::kLegs) return false;
+  return std::any_of(m.words.begin(), m.words.end(),
+                     [](const PieceWords& w) { return w.kind == PieceKind::kTorso && !w.layer; });
+}
+
 /// A strap is sewn to something by its ends.
 double strap_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const bool first = m.words[a.panel].kind == PieceKind::kStrap;
   const SeamRun &strap = first ? a : b, &other = first ? b : a;
+  if (m.words[strap.panel].over_shoulder && is_below_bodice(m, other.panel)) return kPairWeights.never_meet;
   const bool is_end = strap.length < kPairWeights.strap_end * m.girth[strap.panel];
   const bool closes = m.words[other.panel].kind == PieceKind::kBand && other.from == 0 && other.to == 1 &&
                       other.length < kPairWeights.strap_end * m.girth[other.panel];
@@ -266,8 +288,25 @@ bool shut_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return m.words[a.panel].face * m.words[b.panel].face < 0 && is_upper(a) && is_upper(b);
 }
 
+/// Whether they are of two cuffs that go around a limb each: what is drawn in halves has faces.
+bool are_of_two_cuffs(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  return a.panel != b.panel && x.kind == PieceKind::kCuff && y.kind == PieceKind::kCuff && x.face == 0 &&
+         y.face == 0 && !x.layer && !y.layer && m.lines[a.panel] == m.lines[b.panel] &&
+         equally_long(m.girth[a.panel], m.girth[b.panel]);
+}
+
+/// Whether a cuff would be closed to a ring that no hand passes.
+bool is_too_tight(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  return a.panel == b.panel && m.words[a.panel].kind == PieceKind::kCuff &&
+         (m.girth[a.panel] - a.length - b.length) / 2 < kPairWeights.least_ring_mm;
+}
+
 /// Whether no garment has the two runs sewn to each other, whatever else it is.
 bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b)) return true;
+  if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))
+    return true;
   const bool shuts_hood = m.twin[a.panel] == b.panel && is_face_of_hood(m, a) && is_face_of_hood(m, b);
   return shuts_hood || shut_neck(m, a, b) || are_along_strip(m, a, b) || are_outer_legs(m, a, b);
 }
@@ -282,6 +321,8 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   if (is_raglan_neck(m, a, b) || is_raglan_neck(m, b, a)) return 0;
   const bool cut_on =
       m.cut_on && (hangs_from(m, a.panel, b.panel) > 0 || hangs_from(m, b.panel, a.panel) > 0);
+  if ((x.yoke && kb == PieceKind::kCuff) || (y.yoke && ka == PieceKind::kCuff))
+    return kPairWeights.never_meet;
   if ((!ever_meet(ka, kb) && !cut_on) || (on_limb(x) && on_limb(y) && x.leg != y.leg))
     return kPairWeights.never_meet;
   if (ka == PieceKind::kStrap || kb == PieceKind::kStrap) return strap_merit(m, a, b);

@@ -73,7 +73,8 @@ bool has_shoulder_ease(const SeamModel& m, Index i, Index j) {
 double length_part(const SeamModel& m, Index i, Index j, bool lengths, bool counterparts, bool gathers) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
   double merit = lengths ? length_merit(a.length, b.length) : 0;
-  if (gathers && lengths && difference(a, b) < kPairWeights.gathered_most)
+  const double most = is_cap(m, a, b) ? kPairWeights.gathered_cap : kPairWeights.gathered_most;
+  if (gathers && lengths && difference(a, b) < most)
     merit = std::max(merit, kPairWeights.gathered_least - kPairWeights.gathered_slope * difference(a, b));
   // Mirrored edges are of one length whether they are sewn or not: that says little.
   if (m.mirror[i] == j || a.panel == b.panel) merit = std::min(merit, kPairWeights.most_of_twins);
@@ -148,7 +149,8 @@ std::array<double, 2> pair_merit(const SeamModel& m, Index i, Index j, bool leng
   const std::vector<Index>& alike = m.counterparts[i];
   const bool counterparts = std::find(alike.begin(), alike.end(), j) != alike.end();
   const int hangs = told_to_hang(m, a, b);
-  const bool gathers = (hangs > 0 && !on_neck(m, a, b)) || is_cap(m, a, b);
+  const bool of_bib = m.words[a.panel].bib || m.words[b.panel].bib;  // it takes the middle of a band
+  const bool gathers = (hangs > 0 && !on_neck(m, a, b) && !of_bib) || is_cap(m, a, b);
   double merit = length_part(m, i, j, lengths, counterparts, gathers) + shape_merit(a, b) +
                  facing_merit(m, a, b) + kind_merit(m, a, b, hangs);
   if (hangs > 0 && takes_both_halves(m, i, j)) merit += kPairWeights.half_takes_all;

@@ -94,6 +94,21 @@ Vec2 grain_or_middle(const pattern::Panel& panel) {
   return middle;
 }
 
+/// From start to end of the straighter of two edges, mm.
+Vec2 chord_of_straight(const pattern::Panel& panel) {
+  const auto chord = [&](std::size_t e) {
+    const std::vector<pattern::CubicBezier>& curves = panel.outline.edges[e].curves;
+    return curves.back().p3 - curves.front().p0;
+  };
+  const auto bow = [&](std::size_t e) {
+    return pattern::arc_length(panel.outline.edges[e]) / length(chord(e));
+  };
+  return chord(bow(0) < bow(1) ? 0 : 1);
+}
+
+/// A cuff with round ends: all that has no corner is one edge, and the straight one is sewn on.
+bool is_rounded(const pattern::Panel& panel) { return panel.outline.edges.size() == 2; }
+
 /// The direction that is up when the piece is worn, as far as it tells: mostly along its grain, but bands,
 /// cuffs and collars are often cut with the grain along them, and then go around a limb all the same.
 Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
@@ -101,6 +116,8 @@ Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
   constexpr double kHand = 160;   // mm, of a rib that a grown-up's hand passes
   const Vec2 grain = normalized(panel.grain), across = perpendicular(grain);
   if (kind != PieceKind::kBand && kind != PieceKind::kCuff) return grain_or_middle(panel);
+  if (kind == PieceKind::kCuff && is_rounded(panel))
+    return -perpendicular(normalized(chord_of_straight(panel)));
   double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
   for (const pattern::PanelEdge& edge : panel.outline.edges) {
     const Vec2 p = edge.curves.front().p0;
@@ -116,6 +133,23 @@ Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
     return wide < kPairWeights.least_ring_mm || tight ? across : grain;
   }
   return high[0] - low[0] > kStrip * (high[1] - low[1]) ? across : grain;
+}
+
+/// Of a yoke over both shoulders, whose grain often runs across the back: from the edge that the back hangs
+/// from, the longest, to the neck in its middle. The grain where it is not its own mirror image across that.
+Vec2 up_of_yoke(const pattern::Panel& panel) {
+  constexpr double kAcross = 0.9;  // cosine
+  const Vec2 grain = normalized(panel.grain);
+  const auto longer = [](const pattern::PanelEdge& a, const pattern::PanelEdge& b) {
+    return pattern::arc_length(a) < pattern::arc_length(b);
+  };
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  const pattern::PanelEdge& lower = *std::max_element(edges.begin(), edges.end(), longer);
+  const Vec2 up = normalized(perpendicular(lower.curves.back().p3 - lower.curves.front().p0));
+  for (const Vec2 axis : pattern::mirror_axes(panel.outline))
+    if (std::abs(dot(axis, up)) > kAcross && std::abs(dot(axis, grain)) < 1 - kAcross)
+      return dot(axis, up) > 0 ? axis : -axis;
+  return grain_or_middle(panel);
 }
 
 void add_panel(const pattern::Panel& panel, Index index, SeamModel& model) {
@@ -290,8 +324,9 @@ int hangs_from(const SeamModel& m, Index lower, Index upper) {
   const bool other_limb =
       x.kind != kOther && y.kind != kOther && x.limb && (y.limb || y.leg) && x.leg != y.leg;
   if (m.cut_on && x.kind == kCuff && y.kind == kTorso) return 1;
-  const bool on_yoke = x.kind == kTorso && y.kind == kTorso && y.yoke && !x.yoke && x.face * y.face > 0 &&
-                       x.side * y.side >= 0;
+  const bool of_bodice = y.kind == kTorso ? x.face * y.face > 0 : y.kind == kOther && y.face == 0 && !y.layer;
+  const bool on_yoke =
+      x.kind == kTorso && of_bodice && y.yoke && !x.yoke && x.face != 0 && x.side * y.side >= 0;
   if (on_yoke) return 1;
   const bool past_level = m.level[lower] != (x.kind == y.kind ? m.level[upper] + 1 : 0);
   if (x.kind == y.kind && !past_level) return hangs_from(x.kind, y.kind);
@@ -309,9 +344,11 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
     const bool strip = pattern.panels[p].outline.edges.size() == 4;  // a collar's stand has a shape
     const bool neckband = words.stand && words.kind == PieceKind::kCollar && strip;
     const bool band = words.hem_band || neckband;
-    model.up.push_back(up_of(pattern.panels[p], band        ? PieceKind::kBand
-                                                : half_cuff ? PieceKind::kOther
-                                                            : words.kind));
+    const bool over_shoulders = words.yoke && words.face == 0;
+    model.up.push_back(over_shoulders ? up_of_yoke(pattern.panels[p])
+                                      : up_of(pattern.panels[p], band        ? PieceKind::kBand
+                                                                 : half_cuff ? PieceKind::kOther
+                                                                             : words.kind));
     add_panel(pattern.panels[p], static_cast<Index>(p), model);
     model.lines.push_back(static_cast<int>(pattern.panels[p].outline.edges.size()));
     // Sleeves are often drawn lying, and files without grain lines have it upright.
@@ -321,6 +358,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   }
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
+  find_layers_by_cloth(pattern, model);
   find_second_layers(pattern, model);
   name_trunk(model);
   name_hem_bands(model);

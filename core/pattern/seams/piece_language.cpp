@@ -1,6 +1,7 @@
 #include "core/pattern/seams/piece_language.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -87,11 +88,25 @@ void tell_short_faces(std::vector<std::string>& words) {
   if (words.back() == "del" || words == std::vector<std::string>{"on"}) words.back() = "front";
 }
 
+/// "B4410 CUFF" is the cuff of a style and of no back: a letter alone before so many digits is no word.
+std::string without_style_codes(std::string name) {
+  constexpr std::size_t kDigits = 3;
+  const auto is = [&](std::size_t i, int (*kind)(int)) {
+    return i < name.size() && kind(static_cast<unsigned char>(name[i])) != 0;
+  };
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    std::size_t digits = 0;
+    while (is(i + 1 + digits, std::isdigit)) ++digits;
+    if (is(i, std::isalpha) && (i == 0 || !is(i - 1, std::isalnum)) && digits >= kDigits) name[i] = ' ';
+  }
+  return name;
+}
+
 }  // namespace
 
 std::vector<std::string> words_of_piece(std::string_view name) {
-  std::vector<std::string> words =
-      words_of_name(in_latin_letters(with_signs_told(without_elided(std::string(name)))));
+  std::vector<std::string> words = words_of_name(
+      in_latin_letters(with_signs_told(without_elided(without_style_codes(std::string(name))))));
   tell_short_faces(words);
   std::erase_if(words, [](const std::string& w) { return is_article(w); });
   std::string english;

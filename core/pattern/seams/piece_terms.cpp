@@ -109,7 +109,7 @@ constexpr std::string_view kItalian =
     "cappotto=coat;avanti=front;dietri=back;posteriore=back;anteriore=front;davantino=bib;"
     "centro davanti=front;centro dietro=back;fianchi=side;laterale=side;maniche=sleeve;"
     "sopra manica=topsleeve;sopramanica=topsleeve;sotto manica=undersleeve;sottomanica=undersleeve;"
-    "bavero=collar;listino collo=collar stand;listino=collar stand;pistagna=collar stand;"
+    "bavero=collar;listino collo=collar stand;listino=placket;pistagna=collar stand;"
     "solino=collar stand;sottocollo=undercollar;rever=lapel;bordo scollo=neckband;"
     "bordino scollo=neckband;fascia collo=neckband;scollo=neck;scollatura=neck;girocollo=neckband;"
     "bordo fondo=hem band;fascia fondo=hem band;fascia vita=waistband;fascione=waistband;fascia=band;"

@@ -188,7 +188,9 @@ PieceWords words_of(const std::string& name) {
     };
     if (is({"l", "lf", "lt", "lft"}) || starts("left", 'l')) words.side = -1;
     if (is({"r", "rt", "rgt", "rh"}) || starts("right", 'r')) words.side = 1;
-    if (is({"f", "fr", "frt", "fnt", "ft", "cf", "bib", "apron"}) || starts("front", 'f')) words.face = 1;
+    if (is({"f", "fr", "frt", "fnt", "ft", "cf"}) || starts("front", 'f')) words.face = 1;
+    if (is({"bib", "apron"}) && words.face == 0) words.face = 1;  // but for a "back bib"
+    if (w == "bib") words.bib = true;
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
     if (is_leg_word(w)) words.leg = true;
     if (w == "yoke") words.yoke = true;

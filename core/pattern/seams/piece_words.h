@@ -38,6 +38,7 @@ struct PieceWords {
   bool stand = false;          ///< what a collar is sewn to along its length
   bool yoke = false;           ///< lies over both shoulders, or goes around the hip: it is no tube
   bool hem_band = false;       ///< a band that ends a top below; of a skirt nothing tells what it is
+  bool bib = false;            ///< stands up from a waist in the middle of its face, its sides free
   bool over_shoulder = false;  ///< a strap, no tie or belt
   bool layer = false;          ///< a lining, a facing, a pocket: cloth that lies on other cloth
 

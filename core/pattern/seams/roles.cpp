@@ -157,7 +157,8 @@ void name_trunk(SeamModel& m) {
   bool top = any({kSleeve, kCollar, kHood}) ||
              std::any_of(words.begin(), words.end(), [](const PieceWords& w) { return w.over_shoulder; });
   for (Index p = 0; p < static_cast<Index>(words.size()); ++p) {
-    if (!unnamed(words[p]) || words[p].face == 0 || !has_shoulder(m, p)) continue;
+    const bool armhole = words[p].flank && has_leg_crotch(m, p);  // as hollow as a crotch, below a shoulder
+    if (!unnamed(words[p]) || words[p].face == 0 || (!armhole && !has_shoulder(m, p))) continue;
     if (banded && (slopes_to_hem(m, p) || is_level_leg(m, p))) continue;
     words[p].guess(kTorso);
     top = true;
@@ -196,7 +197,8 @@ void name_legs(SeamModel& m) {
   for (const SeamRun& run : m.runs) {
     const PieceWords& words = m.words[run.panel];
     const Index twin = m.twin[run.panel];
-    if (words.face == 0 || words.layer || words.kind != PieceKind::kOther || twin == run.panel) continue;
+    const bool named = words.kind != PieceKind::kOther || words.flank;  // the side of a bodice, then
+    if (words.face == 0 || words.layer || named || twin == run.panel) continue;
     if ((twin == kNone && words.side == 0) || !is_leg_crotch(m, run)) continue;
     legs.push_back(run.panel);
     (words.face > 0 ? front : back) = true;

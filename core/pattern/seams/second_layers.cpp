@@ -80,6 +80,15 @@ bool are_copies(const pattern::Pattern& pattern, const std::vector<Index>& panel
 
 }  // namespace
 
+void find_layers_by_cloth(const pattern::Pattern& pattern, SeamModel& m) {
+  const auto is_inner = [](const pattern::Panel& panel) {
+    return panel.fabric == "lining" || panel.fabric == "interlining";
+  };
+  const std::vector<pattern::Panel>& panels = pattern.panels;
+  if (std::all_of(panels.begin(), panels.end(), is_inner)) return;  // a garment of lining is one of its own
+  for (std::size_t p = 0; p < panels.size(); ++p) m.words[p].layer = m.words[p].layer || is_inner(panels[p]);
+}
+
 void find_second_layers(const pattern::Pattern& pattern, SeamModel& m) {
   using Drawn = std::tuple<std::string, int, long>;  // with edges and girth, mm: no wardrobe's other piece
   std::map<Drawn, std::vector<Index>> drawn;

@@ -9,6 +9,10 @@
 
 namespace toile::seams {
 
+/// Sets `words.layer` of pieces that are cut of a lining or an interlining, where others are not. REQUIRES
+/// the model's words.
+void find_layers_by_cloth(const pattern::Pattern& pattern, SeamModel& model);
+
 /// Sets `words.layer` of the copies that lie on others, and so are for a person to sew. REQUIRES the model's
 /// runs, words, `up`, lines and girths.
 void find_second_layers(const pattern::Pattern& pattern, SeamModel& model);

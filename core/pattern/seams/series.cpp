@@ -123,6 +123,14 @@ bool is_of(const SeamModel& m, const Chain& chain, PieceKind kind) {
                      [&](Index r) { return m.words[m.runs[r].panel].kind == kind; });
 }
 
+/// Whether a hood's chain would end in the middle of the back, and its face lie there.
+bool opens_behind(const SeamModel& m, const Chain& hood, const Chain& neck) {
+  const auto is_back = [&](Index r) { return m.words[m.runs[r].panel].face < 0; };
+  return is_of(m, hood, PieceKind::kHood) && is_of(m, neck, PieceKind::kTorso) &&
+         is_back(neck.runs.front()) && is_back(neck.runs.back()) &&
+         !std::all_of(neck.runs.begin(), neck.runs.end(), is_back);
+}
+
 /// Whether the chain goes through the front, the back and the front again, or the other way round.
 bool leads_around(const SeamModel& m, const Chain& chain) {
   const auto face = [&](Index r) { return m.words[m.runs[r].panel].face; };
@@ -185,6 +193,27 @@ bool is_tier_on_tier(const SeamModel& m, const Chain& a, const Chain& b) {
   return m.nameless && level(upper, -1) && level(lower, 1) && meeting_corners(m, a, b) == 1;
 }
 
+/// The least that lengths say where one chain is a waistband all around and the other the upper edge of a
+/// skirt about twice as long, as it is where its pleats are drawn open: they are gathered. Nothing where that
+/// is none.
+std::optional<double> pleats_on_band(const SeamModel& m, const Chain& a, const Chain& b) {
+  const Chain &band = a.length < b.length ? a : b, &skirt = a.length < b.length ? b : a;
+  const auto is_upper = [&](Index r) { return m.runs[r].up > kPairWeights.facing; };
+  const bool fits = band.whole && skirt.whole && is_of(m, band, PieceKind::kBand) &&
+                    is_of(m, skirt, PieceKind::kSkirt) &&
+                    std::all_of(skirt.runs.begin(), skirt.runs.end(), is_upper) &&
+                    skirt.length < kSeriesWeights.ratio_pleats * band.length;
+  return fits ? std::optional(kSeriesWeights.pleats_on_band) : std::nullopt;
+}
+
+/// Whether the chains are of cuffs, which go around a limb each.
+bool are_of_two_cuffs(const SeamModel& m, const Chain& a, const Chain& b) {
+  const auto is_whole_cuff = [&](const Chain& chain) {
+    return is_of(m, chain, PieceKind::kCuff) && m.words[m.runs[chain.runs.front()].panel].face == 0;
+  };
+  return is_whole_cuff(a) && is_whole_cuff(b);
+}
+
 /// Whether all runs of the chain are of the bodice or of its yoke.
 bool is_of_bodice(const SeamModel& m, const Chain& chain) {
   return std::all_of(chain.runs.begin(), chain.runs.end(), [&](Index r) {
@@ -225,6 +254,7 @@ std::size_t collar_notches_met(const SeamModel& m, const Chain& collar, const Ch
 double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   double merit = length_merit(a.length, b.length);
   merit = std::max(merit, band_on_neck(m, a, b).value_or(merit));
+  merit = std::max(merit, pleats_on_band(m, a, b).value_or(merit));
   if (is_tier_on_tier(m, a, b)) merit = std::max(merit, kSeriesWeights.tier_on_tier);
   if (a.whole && b.whole && gores_in_order(m, a, b)) merit += kSeriesWeights.gores_in_order;
   merit += std::min(kSeriesWeights.corners_most,
@@ -233,6 +263,7 @@ double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
       kSeriesWeights.corner * static_cast<double>(collar_notches_met(m, a, b) + collar_notches_met(m, b, a));
   if (a.whole && b.whole) merit += kSeriesWeights.whole_borders;
   if (is_collar_on_neck(m, a, b) || is_collar_on_neck(m, b, a)) merit += kSeriesWeights.collar_on_neck;
+  if (opens_behind(m, a, b) || opens_behind(m, b, a)) merit += kSeriesWeights.hood_behind;
   if (rounds_collar_point(m, a) || rounds_collar_point(m, b)) merit += kSeriesWeights.round_collar_point;
   return merit;
 }
@@ -242,12 +273,14 @@ std::vector<Trial> trials_of(const SeamModel& m, const std::vector<Chain>& chain
   for (std::size_t i = 0; i < chains.size(); ++i) {
     for (std::size_t j = i + 1; j < chains.size(); ++j) {
       const Chain &a = chains[i], &b = chains[j];
-      if (a.runs.size() + b.runs.size() < 3 || overlap(a, b)) continue;
+      if (a.runs.size() + b.runs.size() < 3 || overlap(a, b) || are_of_two_cuffs(m, a, b)) continue;
       const std::optional<double> first = beyond_collar(m, a, b), second = beyond_collar(m, b, a);
       if (first || second)
         trials.push_back({i, j, kSeriesWeights.collar_in_middle, first ? *first : *second});
       const double ratio = std::max(a.length, b.length) / std::min(a.length, b.length);
-      if (ratio > (a.whole && b.whole ? kSeriesWeights.ratio_whole : kSeriesWeights.ratio)) continue;
+      if (ratio > (a.whole && b.whole ? kSeriesWeights.ratio_whole : kSeriesWeights.ratio) &&
+          !pleats_on_band(m, a, b))
+        continue;
       trials.push_back({i, j, series_merit(m, a, b), 0});
     }
   }

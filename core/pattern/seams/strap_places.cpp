@@ -31,7 +31,10 @@ using FacePlaces = std::array<std::optional<StrapPlace>, 2>;
 class StrapPlaces {
  public:
   StrapPlaces(const pattern::Pattern& pattern, const std::vector<SeamProposal>& proposals)
-      : model_(make_seam_model(pattern)), first_(first_runs(pattern)), sewn_(model_.runs.size(), 0) {
+      : model_(make_seam_model(pattern)),
+        first_(first_runs(pattern)),
+        sewn_(model_.runs.size(), 0),
+        partner_(model_.runs.size(), kNone) {
     for (const pattern::Seam& seam : pattern.seams) take(seam);
     const std::vector<bool> likely = sewn_together(proposals, kLikely);
     for (std::size_t i = 0; i < proposals.size(); ++i)
@@ -44,12 +47,22 @@ class StrapPlaces {
     if (straps.empty()) return found;
     const double width = model_.runs[ends_of(straps.front())[0]].length;
     const std::array<FacePlaces, 2> places{places_of(-1, width), places_of(1, width)};  // back, front
-    for (const bool left : {false, true}) {
+    for (std::size_t k = 0; k < straps.size(); ++k) {
+      const std::array<Index, 2> ends = ends_of(straps[k]);
+      const bool any = sewn_[ends[0]] || sewn_[ends[1]];
+      const std::optional<StrapPlace> there =
+          any ? sewn_at(sewn_[ends[0]] ? ends[0] : ends[1]) : std::nullopt;
+      if (any && !there) continue;
+      const bool left = any ? side_of(*there) > 0 : k > 0;
       const std::optional<StrapPlace>&back = places[0][left], &front = places[1][left];
-      if (straps.size() <= static_cast<std::size_t>(left) || !back || !front) continue;
-      const std::array<Index, 2> ends = ends_of(straps[left]);
-      found.push_back(sewn_on(ends[0], *front));
-      found.push_back(sewn_on(ends[1], *back));
+      if (any) {  // the other end is for the other face
+        const std::optional<StrapPlace>& other =
+            model_.words[model_.runs[there->run].panel].face > 0 ? back : front;
+        if (other) found.push_back(sewn_on(sewn_[ends[0]] ? ends[1] : ends[0], *other));
+      } else if (back && front) {
+        found.push_back(sewn_on(ends[0], *front));
+        found.push_back(sewn_on(ends[1], *back));
+      }
     }
     return found;
   }
@@ -58,28 +71,51 @@ class StrapPlaces {
   void take(const pattern::Seam& seam) {
     for (const pattern::SeamEdge& e : both_sides(seam))
       if (first_[e.panel] + e.edge < first_[e.panel + 1]) sewn_[first_[e.panel] + e.edge] = 1;
+    if (seam.a.size() != 1 || seam.b.size() != 1) return;
+    const Index a = first_[seam.a[0].panel] + seam.a[0].edge, b = first_[seam.b[0].panel] + seam.b[0].edge;
+    partner_[a] = b;
+    partner_[b] = a;
   }
 
-  /// The two short edges of a strip; kNone where it is none.
+  /// Where that end is sewn on, as far as it is to one edge of a front or a back.
+  std::optional<StrapPlace> sewn_at(Index end) const {
+    const Index r = partner_[end];
+    if (r == kNone || model_.words[model_.runs[r].panel].face == 0) return std::nullopt;
+    return StrapPlace{r, 0, model_.runs[r].length, 0};
+  }
+
+  /// The edges at both ends of a strip, between its two long ones: of a pointed end the middle one. kNone
+  /// where it is none.
   std::array<Index, 2> ends_of(Index panel) const {
-    std::array<Index, 2> ends{kNone, kNone};
-    if (model_.lines[panel] != 4) return ends;
-    std::size_t count = 0;
+    std::vector<Index> ends[2];
+    std::size_t sides = 0;
     for (Index r = first_[panel]; r < first_[panel + 1]; ++r) {
-      if (model_.runs[r].length > kPairWeights.strap_end * model_.girth[panel]) continue;
-      if (count == 2) return {kNone, kNone};
-      ends[count++] = r;
+      const double share = model_.runs[r].length / model_.girth[panel];
+      if (share > kLongSide)
+        ++sides;
+      else if (share > kWideEnd)
+        return {kNone, kNone};
+      else
+        ends[sides % 2].push_back(r);
     }
-    return ends;
+    if (sides != 2 || ends[0].empty() || ends[1].empty()) return {kNone, kNone};
+    std::rotate(ends[0].begin(), first_behind_gap(ends[0]), ends[0].end());
+    return {ends[0][ends[0].size() / 2], ends[1][ends[1].size() / 2]};
   }
 
-  /// Straps of which neither end is sewn, at most the two that are worn.
+  /// An end may begin before the outline does: the first of its edges, behind the two long ones.
+  static std::vector<Index>::iterator first_behind_gap(std::vector<Index>& end) {
+    const auto gap = std::adjacent_find(end.begin(), end.end(), [](Index a, Index b) { return b != a + 1; });
+    return gap == end.end() ? end.begin() : gap + 1;
+  }
+
+  /// Straps of which an end is not sewn, at most the two that are worn.
   std::vector<Index> loose_straps() const {
     std::vector<Index> straps;
     for (Index p = 0; p < static_cast<Index>(model_.words.size()) && straps.size() < 2; ++p) {
       if (!model_.words[p].over_shoulder || model_.words[p].layer) continue;
       const std::array<Index, 2> ends = ends_of(p);
-      if (ends[0] != kNone && ends[1] != kNone && !sewn_[ends[0]] && !sewn_[ends[1]]) straps.push_back(p);
+      if (ends[0] != kNone && ends[1] != kNone && !(sewn_[ends[0]] && sewn_[ends[1]])) straps.push_back(p);
     }
     return straps;
   }
@@ -151,7 +187,8 @@ class StrapPlaces {
     }
     const double share = (place.from + place.to) / (2 * run.length) * (SeamRun::kSamples - 1);
     const double at = dot(run.at[static_cast<std::size_t>(std::lround(share))], right);
-    const bool whole = model_.twin[panel] == panel || model_.twin[panel] == kNone;
+    const Index twin = model_.twin[panel];  // a copy that lies on it is no other half
+    const bool whole = twin == panel || twin == kNone || model_.words[twin].layer;
     const double there = whole ? at - (low + high) / 2 : outer;
     return (there > 0 ? 1 : -1) * model_.words[panel].face;
   }
@@ -186,9 +223,12 @@ class StrapPlaces {
     return p;
   }
 
+  static constexpr double kLongSide = 0.3, kWideEnd = kPairWeights.strap_end;  // of the outline
+
   const SeamModel model_;
   const std::vector<Index> first_;
-  std::vector<char> sewn_;  ///< of each run: a likely seam takes it
+  std::vector<char> sewn_;      ///< of each run: a likely seam takes it
+  std::vector<Index> partner_;  ///< and the run that it is sewn to, where that is one alone
 };
 
 }  // namespace

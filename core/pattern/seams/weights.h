@@ -109,7 +109,8 @@ struct PairWeights {
   double half_takes_all = -6;   ///< an end that both halves of a bodice or of trousers come to, for one alone
   double gathered_least = 2.5;  ///< there cloth is gathered often: the least that lengths say is this …
   double gathered_slope = 4;    ///< … less so much times their difference …
-  double gathered_most = 0.6;   ///< … up to this share: nothing is gathered to a third
+  double gathered_most = 0.6;   ///< … up to this share: nothing is gathered to a third …
+  double gathered_cap = 0.45;   ///< … nor a cap onto half of its armhole
   double lying = 0.3;           ///< how much the opening of a sleeve that lies faces up or down
   double inner = 0.2;           ///< how much a neck faces the body's middle …
   double fully_inner = 0.9;     ///< … and its centre front
@@ -265,6 +266,7 @@ struct SeriesWeights {
   double rib_on_neck = 2;          ///< the least that lengths say of a closed neckband …
   double rib_stretched = 0.75;     ///< … which is at least this share of its neck
   double stand_on_neck = 9;        ///< or of a stand that overlaps
+  double hood_behind = -4;         ///< a hood whose face would be behind
   double round_collar_point = -8;  ///< a collar's point, of less than …
   double collar_point_deg = 130;   ///< … this, is no place that a seam runs around
   double gores_in_order = 3;       ///< gores counted from a side, the front's first
@@ -272,6 +274,8 @@ struct SeriesWeights {
   double further_mm = 4;           ///< … where they agree so then
   double ratio = 1.12;             ///< of the lengths, at most …
   double ratio_whole = 1.7;        ///< … and of whole borders: gathers
+  double ratio_pleats = 3;         ///< … of a skirt whose pleats are drawn open, on its waistband …
+  double pleats_on_band = 2;       ///< … the least that lengths say of these
   double worthwhile = 1.5;         ///< that the garment must gain by it
 };
 

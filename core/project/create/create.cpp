@@ -18,6 +18,7 @@
 #include "core/pattern/validate.h"
 #include "core/project/create/choose_fabrics.h"
 #include "core/project/create/choose_mesh.h"
+#include "core/project/create/drawn_darts.h"
 #include "core/project/create/halves.h"
 #include "core/project/create/pocket_corners.h"
 #include "core/project/create/waist_elastic.h"
@@ -96,6 +97,7 @@ void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int
     pattern::Panel copy = over ? turned_over(panel, "") : panel;
     const std::string end = row ? "_" + std::to_string(k + 1) : over && count > 1 ? "_mirrored" : "";
     copy.id = unused_id(drawn.name + end, used);
+    copy.fabric = material_fabric(drawn.material);
     project::ProjectPiece piece = inline_piece(copy, {});
     if (!over && !filled) {
       const std::string& unit = drawing.unit.name;
@@ -130,6 +132,24 @@ Result<pattern::Panel> panel_of(const dxf::DxfPiece& drawn) {
   return panel;
 }
 
+/// Darts that are only drawn are cut out, each where the piece can be cut so.
+void cut_darts(CutPieces& cut) {
+  for (std::size_t p = 0; p < cut.panels.size(); ++p) {
+    int darts = 0;
+    for (const DrawnDart& dart : drawn_darts(cut.panels[p])) {
+      pattern::Panel with = with_dart(cut.panels[p], dart);
+      if (!pattern::validate(with)) continue;
+      cut.panels[p] = std::move(with);
+      cut.filled[p] = 1;
+      ++darts;
+    }
+    if (darts > 0)
+      cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[p].id) + " has " +
+                                  (darts == 1 ? "a dart" : std::to_string(darts) + " darts") +
+                                  " drawn within its outline: the cloth between the lines is sewn away");
+  }
+}
+
 /// What cannot be cut is left out with a note, as long as anything is left: one bad outline of many must not
 /// keep the garment from being made. Error: that of the first, where none can be cut.
 Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
@@ -151,6 +171,7 @@ Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
   const std::vector<Vec2> up = seams::grains_upwards(cut.panels);
   for (std::size_t p = 0; p < up.size(); ++p) cut.panels[p].grain = up[p];
   cut.filled.assign(cut.panels.size(), 0);
+  cut_darts(cut);
   for (const PocketCorner& pocket : pocket_corners(cut.panels)) {
     cut.panels[pocket.panel] = with_corner(cut.panels[pocket.panel], pocket);
     cut.filled[pocket.panel] = 1;

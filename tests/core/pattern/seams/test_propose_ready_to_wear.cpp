@@ -1,0 +1,173 @@
+// What proposals make of garments of a collection: bibs, cuffs, hoods, yokes, pleats and style codes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/pattern/seams/garment_words.h"
+#include "core/pattern/seams/gluing.h"
+#include "core/pattern/seams/kinds.h"
+#include "core/pattern/seams/model.h"
+#include "tests/core/pattern/garments.h"
+#include "tests/core/pattern/seams/worn_seams.h"
+
+namespace toile {
+namespace {
+
+using garments::mirrored;
+using garments::piece;
+using garments::strip;
+using seams::PieceKind;
+using test::WornSeams;
+using Panels = std::vector<pattern::Panel>;
+
+pattern::Panel body(const std::string& name, double neck) {
+  return garments::bodice(name, {250, 0}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600},
+                          {70, 640, Vec2{60, neck}});
+}
+
+pattern::Panel arm(const std::string& name) {
+  return piece(name, {{-110, 0},
+                      {110, 0},
+                      {185, 420, Vec2{90, 430}, Vec2{90, 560}},
+                      {0, 560, Vec2{-90, 560}, Vec2{-90, 430}},
+                      {-185, 420}});
+}
+
+std::vector<seams::PieceWords> words_of(const Panels& panels) { return seams::garment_words({panels, {}}); }
+
+TEST(ReadyToWear, ALetterBeforeAStyleNumberTellsNoFace) {
+  const auto words = words_of({body("B4410 FRT", 520), body("B4410 BK", 600), strip("B4410 CUFF", 235, 110)});
+  EXPECT_EQ(words[0].face, 1);
+  EXPECT_EQ(words[1].face, -1);
+  EXPECT_EQ(words[2].face, 0);
+  EXPECT_EQ(words_of({body("B2", 600)})[0].face, -1) << "a back in two parts";
+}
+
+TEST(ReadyToWear, CuffsCloseAroundAHandAndAreNeverSewnToEachOther) {
+  pattern::Panel cuff = strip("Cuff", 215, 110);
+  const seams::SeamModel m = seams::make_seam_model({{cuff, mirrored(cuff, "Cuff_mirrored")}, {}});
+  EXPECT_TRUE(seams::never_sewn(m, 0, 6)) << "along their long edges";
+  EXPECT_TRUE(seams::never_sewn(m, 0, 2)) << "a ring of 110 mm";
+  EXPECT_FALSE(seams::never_sewn(m, 1, 3)) << "a ring of 215 mm";
+}
+
+TEST(ReadyToWear, ARoundedCuffHangsByItsStraightEdge) {
+  const pattern::Panel sleeve = arm("Sleeve");
+  pattern::Panel cuff = piece("Cuff", {{200, 0}, {0, 0, Vec2{0, -150}, Vec2{200, -150}}});
+  cuff.grain = {0, -1};
+  const seams::SeamModel m = seams::make_seam_model({{sleeve, cuff}, {}});
+  ASSERT_EQ(m.runs[5].panel, 1);
+  EXPECT_GT(m.runs[5].up, 0.9) << "whatever its grain says";
+  EXPECT_EQ(seams::told_to_hang(m, m.runs[0], m.runs[5]), 1) << "from the sleeve's hem";
+}
+
+TEST(ReadyToWear, AHoodsFaceIsInFront) {
+  // As far around as both necks together, each half so far as half of that.
+  const double neck = garments::length_of(body("", 520), 4) + garments::length_of(body("", 600), 4);
+  const pattern::Panel half = piece(
+      "Hood", {{0, 0}, {neck / 2, 0}, {neck / 2 + 20, 340, Vec2{neck / 2, 420}, Vec2{80, 420}}, {0, 330}});
+  const pattern::Panel sleeve = arm("Sleeve");
+  const Panels panels{body("Front", 520),      body("Back", 600), sleeve, mirrored(sleeve, "Sleeve_2"), half,
+                      mirrored(half, "Hood_2")};
+  const WornSeams worn(panels);
+  EXPECT_TRUE(worn.has({"Front.e4", "Front.e4", "Back.e4"}, {"Hood.e0", "Hood_2.e0"})) << worn.text();
+}
+
+TEST(ReadyToWear, SidesOfABodiceAreNoLegs) {
+  // A waistcoat in eight: a front's and a back's middle and side, each side below an armhole as hollow as a
+  // crotch.
+  const auto middle = [](const std::string& name) {
+    return piece(name, {{0, 0}, {100, 0, Vec2{80, 200}, Vec2{110, 380}}, {130, 540}, {80, 560}, {0, 350}});
+  };
+  const auto side = [](const std::string& name) {
+    return piece(name, {{0, 0},
+                        {130, 10},
+                        {140, 330, Vec2{80, 340}, Vec2{75, 450}},
+                        {95, 530},
+                        {30, 545, Vec2{10, 380}, Vec2{-20, 200}}});
+  };
+  Panels panels;
+  for (const char* face : {"front", "back"})
+    for (const auto& panel : {middle(std::string("center ") + face), side(std::string("side ") + face)}) {
+      panels.push_back(panel);
+      panels.push_back(mirrored(panel, panel.id + "_mirrored"));
+    }
+  for (const seams::PieceWords& words : words_of(panels)) EXPECT_EQ(words.kind, PieceKind::kTorso);
+}
+
+TEST(ReadyToWear, ABackIsGatheredBelowAYokeWhoseGrainLiesAcross) {
+  const Panels all = [] {
+    pattern::Panel yoke =
+        piece("Yoke", {{-200, 0}, {200, 0}, {200, 90}, {75, 130, Vec2{0, 60}}, {-75, 130}, {-200, 90}});
+    yoke.grain = {1, 0};
+    const pattern::Panel back = piece("Back", {{-240, 0},
+                                               {240, 0},
+                                               {240, 380, Vec2{210, 400}, Vec2{220, 460}},
+                                               {220, 520},
+                                               {-220, 520, Vec2{-220, 460}, Vec2{-210, 400}},
+                                               {-240, 380}});
+    return Panels{body("Front", 520), back, yoke};
+  }();
+  const seams::SeamModel m = seams::make_seam_model({all, {}});
+  const auto lower =
+      std::find_if(m.runs.begin(), m.runs.end(), [](const auto& run) { return run.panel == 2; });
+  EXPECT_LT(lower->up, -0.9) << "the back hangs there";
+  EXPECT_EQ(seams::hangs_from(m, 1, 2), 1);
+  const WornSeams worn(all);
+  EXPECT_TRUE(worn.has({"Back.e3"}, {"Yoke.e0"})) << worn.text();
+}
+
+TEST(ReadyToWear, ABibStandsOnTheMiddleOfItsWaistbandAndHangsOnItsStraps) {
+  const auto bib = [](const std::string& name, double top) {
+    return piece(name, {{-148, 0}, {148, 0}, {top, 250}, {-top, 250}});
+  };
+  const auto leg = [](const std::string& name, double crotch) {
+    return piece(name, {{0, 0}, {240, 0}, {230, 1000}, {0, 1000}, {-30 - crotch, 780, Vec2{-20, 800}}});
+  };
+  pattern::Panel strap = piece("Strap", {{0, 0}, {600, 0}, {622, 22}, {622, 66}, {600, 88}, {0, 88}});
+  strap.grain = {1, 0};
+  pattern::Panel back_bib = bib("Back Bib", 100);
+  const pattern::Panel front = leg("Front Leg", 20), back = leg("Back Leg", 60);
+  const WornSeams worn({front, mirrored(front, "Front Leg_mirrored"), back,
+                        mirrored(back, "Back Leg_mirrored"), strip("Front Waistband", 460, 44),
+                        strip("Back Waistband", 460, 44), bib("Front Bib", 112), back_bib, strap,
+                        mirrored(strap, "Strap_mirrored")});
+  EXPECT_NEAR(worn.part("Front Waistband.e2", "Front Bib.e0").first, (460 - 296) / 2 / 460.0, 1e-6)
+      << worn.text();
+  EXPECT_NEAR(worn.part("Front Waistband.e2", "Front Bib.e0").second, 1 - (460 - 296) / 2 / 460.0, 1e-6);
+  EXPECT_FALSE(worn.takes("Front Bib.e1") || worn.takes("Front Bib.e3")) << worn.text();
+  EXPECT_TRUE(worn.takes("Strap.e5")) << worn.text();
+  EXPECT_EQ(words_of({back_bib})[0].face, -1);
+}
+
+TEST(ReadyToWear, ASkirtWithOpenPleatsIsGatheredOntoItsWaistband) {
+  const WornSeams worn(
+      {strip("Skirt front", 800, 700), strip("Skirt back", 790, 700), strip("Waistband", 770, 70)});
+  EXPECT_TRUE(worn.has({"Skirt back.e2", "Skirt front.e2"}, {"Waistband.e0"}) ||
+              worn.has({"Skirt back.e2", "Skirt front.e2"}, {"Waistband.e2"}))
+      << worn.text();
+}
+
+TEST(ReadyToWear, PiecesCutOfALiningLieOnOthers) {
+  Panels panels{body("1", 520), body("2", 600), strip("3", 215, 170)};
+  panels[2].fabric = "lining";
+  EXPECT_TRUE(words_of(panels)[2].layer);
+  EXPECT_FALSE(words_of(panels)[0].layer);
+  for (pattern::Panel& panel : panels) panel.fabric = "lining";
+  EXPECT_FALSE(words_of(panels)[2].layer) << "a garment of lining";
+}
+
+TEST(ReadyToWear, StrapsOfADressAreForItsBodice) {
+  pattern::Panel strap = strip("Strap", 400, 24);
+  strap.grain = {1, 0};
+  const seams::SeamModel m =
+      seams::make_seam_model({{strap, strip("Skirt front", 700, 800), strip("Bodice front", 400, 200)}, {}});
+  EXPECT_TRUE(seams::never_sewn(m, 1, 6)) << "an end and the skirt's upper edge";
+  EXPECT_FALSE(seams::never_sewn(m, 1, 10));
+}
+
+}  // namespace
+}  // namespace toile
