@@ -31,7 +31,7 @@ namespace toile::drape {
 
 /// Rises when the fields change, and whenever a change of the engine gives a drape other bytes: a drape begun
 /// by one engine and ended by another would be neither's.
-inline constexpr std::uint32_t kCheckpointVersion = 34;
+inline constexpr std::uint32_t kCheckpointVersion = 35;
 
 enum class DrapePhase : std::uint8_t { kSew, kDrape, kDone };
 

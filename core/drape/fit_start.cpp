@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "core/base/aabb.h"
+#include "core/base/disjoint_sets.h"
 #include "core/drape/worn_part.h"
 
 namespace toile::drape {
 namespace {
 
 constexpr int kMostReductions = 2;
+constexpr int kMostRefusals = 4;
 /// Less of the cloth's area than this is no drape of the garment any more: a waistband without its bodice.
 constexpr double kLeastPart = 0.5;
 
@@ -25,6 +27,24 @@ double area_of(const DrapeStart& start, const std::vector<bool>& out) {
       area += std::abs(cross(panel.rest[t[1]] - panel.rest[t[0]], panel.rest[t[2]] - panel.rest[t[0]]));
   }
   return 0.5 * area;
+}
+
+/// The share of the whole's cloth that hangs together most in the part.
+double most_together(const DrapeInput& input, const DrapeStart& whole, const DrapeInput& part,
+                     const std::vector<bool>& out) {
+  DisjointSets sets(part.pattern.panels.size());
+  for (const pattern::Seam& seam : part.pattern.seams)
+    for (const std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b})
+      for (const pattern::SeamEdge& e : *side) sets.join(seam.a.front().panel, e.panel);
+  std::vector<double> area(part.pattern.panels.size(), 0);
+  Index now = 0;  // the part's panels are in the order of the whole's
+  for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
+    if (out[p]) continue;
+    std::vector<bool> others(out.size(), true);
+    others[p] = false;
+    area[sets.root(now++)] += area_of(whole, others);
+  }
+  return area.empty() ? 0 : *std::max_element(area.begin(), area.end()) / area_of(whole, {});
 }
 
 /// Marks the panels of `input` that `part` does not have.
@@ -44,6 +64,47 @@ void mark_at_fault(const std::vector<Index>& at_fault, std::vector<bool>& out) {
   for (std::size_t p = 0; p < out.size(); ++p)
     if (!out[p]) panel_of.push_back(p);
   for (const Index p : at_fault) out[panel_of[p]] = true;
+}
+
+/// The smaller of two panels, as far as one is not out already.
+Index smaller_of(const DrapeStart& whole, const std::vector<bool>& out, Index a, Index b) {
+  const auto area = [&](Index p) {
+    std::vector<bool> others(out.size(), true);
+    others[p] = out[p];
+    return area_of(whole, others);
+  };
+  return area(a) < area(b) ? a : b;
+}
+
+/// Marks the pieces that errors about where pieces stand name: of two that get in each other's way, or that a
+/// seam joins which would stay open, the smaller. False where no such error is left.
+bool mark_refused(const DrapeInput& input, const DrapeStart& whole, const preflight::Findings& findings,
+                  std::vector<bool>& out) {
+  const pattern::Pattern& pattern = input.pattern;
+  const auto panel_named = [&](const std::string& id) {
+    const auto at = std::find_if(pattern.panels.begin(), pattern.panels.end(),
+                                 [&](const pattern::Panel& panel) { return panel.id == id; });
+    return at == pattern.panels.end() ? kNone : static_cast<Index>(at - pattern.panels.begin());
+  };
+  bool any = false;
+  for (const preflight::Finding& f : findings) {
+    if (f.severity != preflight::Severity::kError ||
+        preflight::traits_of(f.kind).cause != preflight::Cause::kPlacement)
+      continue;
+    std::vector<Index> panels;
+    for (const preflight::Concern& about : f.about) {
+      if (about.thing == preflight::Concern::Thing::kPiece) panels.push_back(panel_named(about.id));
+      if (about.thing != preflight::Concern::Thing::kSeam) continue;
+      for (const pattern::Seam& seam : pattern.seams)
+        if (seam.id == about.id) panels = {seam.a.front().panel, seam.b.front().panel};
+    }
+    std::erase(panels, kNone);
+    if (panels.empty() || std::any_of(panels.begin(), panels.end(), [&](Index p) { return bool(out[p]); }))
+      continue;
+    out[smaller_of(whole, out, panels.front(), panels.back())] = true;
+    any = true;
+  }
+  return any;
 }
 
 /// Work that the machine does not do must not be taken for work that cannot be done.
@@ -88,6 +149,24 @@ DrapeInput without_panels(const DrapeInput& input, const DrapeStart& start, cons
   return part;
 }
 
+std::optional<FittedStart> without_refused(const DrapeInput& input, DrapeStart& start,
+                                           const RunContext& context) {
+  std::vector<bool> out(input.pattern.panels.size(), false);
+  preflight::Findings findings = start.findings;
+  for (int k = 0; k < kMostRefusals && mark_refused(input, start, findings, out); ++k) {
+    std::optional<DrapeInput> part = reduced_by(input, start, out);
+    if (!part || most_together(input, start, *part, out) < kLeastPart) return std::nullopt;
+    Result<DrapeStart> less = prepare_start(*part, context);
+    if (!less) return std::nullopt;
+    if (!preflight::first_error(less->findings)) {
+      start = std::move(*less);
+      return FittedStart{true, std::move(out), std::move(part)};
+    }
+    findings = std::move(less->findings);
+  }
+  return std::nullopt;
+}
+
 FittedStart fit_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
                       dressing::Effort effort) {
   FittedStart fitted;
@@ -99,18 +178,18 @@ FittedStart fit_start(const DrapeInput& input, DrapeStart& start, const RunConte
   for (int k = 0; k < kMostReductions && !tries->at_fault.empty() && !context.cancelled(); ++k) {
     mark_at_fault(tries->at_fault, out);
     std::optional<DrapeInput> part = reduced_by(input, start, out);
-    if (!part) return fitted;
+    if (!part) break;
     Result<DrapeStart> less = prepare_start(*part, context);
-    if (!less) return fitted;
+    if (!less) break;
     tries = dress_start(*part, *less, context, tries->nearest - 1, tries->effort);
     if (!preflight::first_error(less->findings)) {
       fitted = {!may_put_on(*part, *less), std::move(out), std::move(part)};
       start = std::move(*less);
       return fitted;
     }
-    if (!tries) return fitted;
+    if (!tries) break;
   }
-  return fitted;
+  return without_refused(input, start, context).value_or(std::move(fitted));
 }
 
 }  // namespace toile::drape

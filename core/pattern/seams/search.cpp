@@ -234,6 +234,12 @@ FoundSeams best_garment(const pattern::Pattern& pattern, const FoundSeams& start
   return std::move(best.found);
 }
 
+/// Whether all runs are of a hood.
+bool joins_hood(const SeamModel& m, const std::vector<Index>& runs) {
+  return std::all_of(runs.begin(), runs.end(),
+                     [&](Index r) { return m.words[m.runs[r].panel].kind == PieceKind::kHood; });
+}
+
 /// What is lost when the seam must not be, and the rest may be sewn anew.
 double margin_of(const FoundSeam& seam, const FoundSeams& found, const std::vector<char>& fixed,
                  const GluingSettings& settings, const RunContext& context) {
@@ -246,7 +252,11 @@ double margin_of(const FoundSeam& seam, const FoundSeams& found, const std::vect
   GluingJudge judge(found.model, settings);
   // It turns nothing over: a garment seen in a mirror is no other garment. Nor is one whose band is turned.
   Limits limits = without_pair({false, {}}, found.model, seam.a[0], seam.b[0]);
+  // Nor is one whose hood is sewn on half by half.
   const std::vector<Index> other_side(seam.b.rbegin(), seam.b.rend());
+  const bool hood = joins_hood(found.model, seam.a) || joins_hood(found.model, seam.b);
+  if (hood)
+    for (std::size_t k = 0; k < seam.a.size(); ++k) limits.forbidden.push_back({seam.a[k], seam.b[k]});
   if (seam.a.size() > 1 && is_whole_border(found.model, found.gluing, seam.a) &&
       is_whole_border(found.model, found.gluing, other_side))
     for (const Index x : seam.a)

@@ -128,6 +128,33 @@ TEST(FitStart, WhereTheWorkIsSpentItIsGivenUpAndTold) {
   EXPECT_TRUE(told(start.findings, preflight::FindingKind::kGivenUp));
 }
 
+/// A strapless bodice around the trunk, and a strip sewn to its front that stands within the trunk.
+TEST(FitStart, WithoutWhatStandsInTheWayTheRestIsSewnFromWhereItStands) {
+  drape::DrapeInput input = test::heap_of(test::strapless());
+  const drape::DrapeStart flat = drape::prepare_start(input, {}).value();
+  input.placements = arrange::arrange({input.pattern, flat.meshes, input.bodies}).value().placements;
+  pattern::Panel strip = test::polygon("frill", {{0, 0}, {200, 0}, {200, 60}, {0, 60}});
+  input.pattern.panels.push_back(strip);
+  const auto added = static_cast<Index>(input.pattern.panels.size()) - 1;
+  input.pattern.seams.push_back({"frill", {{added, 0}}, {{0, 2, false, 0.3, 0.7}}});
+  input.placements.push_back(sewing::RigidPlacement{{-0.1, test::person().figure.waist + 0.1, 0}, {}, false});
+  input.fabric_of_panel.assign(input.pattern.panels.size(), 0);
+  drape::DrapeStart start = drape::prepare_start(input, {}).value();
+  ASSERT_TRUE(preflight::first_error(start.findings));
+  const std::optional<drape::FittedStart> fitted = drape::without_refused(input, start, {});
+  ASSERT_TRUE(fitted.has_value());
+  EXPECT_EQ(fitted->left_out, (std::vector<bool>{false, false, true}));
+  ASSERT_TRUE(fitted->reduced.has_value());
+  EXPECT_EQ(fitted->reduced->pattern.seams.size(), 2U);
+  EXPECT_FALSE(preflight::first_error(start.findings));
+  EXPECT_TRUE(told(start.findings, preflight::FindingKind::kLeftOut));
+
+  drape::DrapeInput narrow = narrow_tube();
+  drape::DrapeStart refused = drape::prepare_start(narrow, {}).value();
+  EXPECT_FALSE(drape::without_refused(narrow, refused, {}).has_value()) << "too little would remain";
+  EXPECT_TRUE(preflight::first_error(refused.findings));
+}
+
 TEST(FitStart, WhatSlipsDownIsNotWorn) {
   pattern::Pattern wide = test::strapless();
   wide.panels = {
