@@ -82,12 +82,12 @@ TEST(DrawnDarts, OtherLinesAreNone) {
 }
 
 TEST(DrawnDarts, EachOfSeveralIsCutOut) {
-  pattern::Panel front =
-      front_with({kBust, {{0, 285}, {60, 300}, {0, 315}}, {{90, 0}, {100, 90}, {110, 0}}});
+  pattern::Panel front = front_with({kBust, {{0, 285}, {60, 300}, {0, 315}}, {{90, 0}, {100, 90}, {110, 0}}});
   for (const create::DrawnDart& dart : create::drawn_darts(front)) front = create::with_dart(front, dart);
   ASSERT_TRUE(pattern::validate(front));
   EXPECT_EQ(front.outline.edges.size(), 4u + 3 * 3);
-  EXPECT_NEAR(pattern::signed_area(front.outline), 200 * 500 - 30 * 120 / 2.0 - 30 * 60 / 2.0 - 20 * 90 / 2.0, 2);
+  EXPECT_NEAR(pattern::signed_area(front.outline), 200 * 500 - 30 * 120 / 2.0 - 30 * 60 / 2.0 - 20 * 90 / 2.0,
+              2);
 }
 
 }  // namespace
