@@ -100,7 +100,8 @@ class StrapPlaces {
     }
     if (sides != 2 || ends[0].empty() || ends[1].empty()) return {kNone, kNone};
     std::rotate(ends[0].begin(), first_behind_gap(ends[0]), ends[0].end());
-    return {ends[0][ends[0].size() / 2], ends[1][ends[1].size() / 2]};
+    const Index a = ends[0][ends[0].size() / 2], b = ends[1][ends[1].size() / 2];
+    return {std::min(a, b), std::max(a, b)};
   }
 
   /// An end may begin before the outline does: the first of its edges, behind the two long ones.

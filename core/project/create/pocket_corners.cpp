@@ -52,7 +52,9 @@ double length_of(const std::vector<const seams::SeamRun*>& side) {
   return length;
 }
 
-std::optional<Mouth> mouth_of(const seams::SeamModel& m, Index panel) {
+/// All that may be one: a crotch faces up a little, too, and then only lengths tell the two apart.
+std::vector<Mouth> mouths_of(const seams::SeamModel& m, Index panel) {
+  std::vector<Mouth> mouths;
   for (const seams::SeamRun& lowest : m.runs) {
     if (lowest.panel != panel || !begins_side(m, lowest)) continue;
     for (const bool after : {true, false}) {
@@ -60,10 +62,10 @@ std::optional<Mouth> mouth_of(const seams::SeamModel& m, Index panel) {
       if (side.size() < 2 || side.back()->up < kMouthUp[0]) continue;
       const seams::SeamRun& mouth = *side.back();
       side.pop_back();
-      return Mouth{side.back()->edge, mouth.edge, beside(m, mouth, after).edge, length_of(side), after};
+      mouths.push_back({side.back()->edge, mouth.edge, beside(m, mouth, after).edge, length_of(side), after});
     }
   }
-  return std::nullopt;
+  return mouths;
 }
 
 /// The way on beyond an end of the edge, a unit vector.
@@ -128,13 +130,13 @@ std::vector<PocketCorner> pocket_corners(std::span<const pattern::Panel> panels)
   std::vector<PocketCorner> corners;
   for (Index p = 0; p < static_cast<Index>(panels.size()); ++p) {
     if (m.words[p].face <= 0 || m.words[p].layer || !seams::has_leg_crotch(m, p)) continue;
-    const std::optional<Mouth> mouth = mouth_of(m, p);
-    if (!mouth) continue;
-    const std::optional<Meeting> meeting = meeting_of(panels[p], *mouth);
-    if (!meeting) continue;
-    const double side = mouth->side_length;
-    if (agrees(behind, side + meeting->side) && !agrees(behind, side))
-      corners.push_back({p, mouth->mouth, meeting->at});
+    for (const Mouth& mouth : mouths_of(m, p)) {
+      const std::optional<Meeting> meeting = meeting_of(panels[p], mouth);
+      if (!meeting || agrees(behind, mouth.side_length) || !agrees(behind, mouth.side_length + meeting->side))
+        continue;
+      corners.push_back({p, mouth.mouth, meeting->at});
+      break;
+    }
   }
   return corners;
 }

@@ -377,6 +377,17 @@ TEST(ProjectNew, AFrontThatIsCutAwayAtAPocketIsDrawnWhole) {
   EXPECT_FALSE(made->project.pieces[0].from.has_value());
 }
 
+TEST(ProjectNew, ACrotchThatFacesUpALittleIsNoPocket) {
+  const pattern::Panel facing = garments::piece("Pocket facing", {{0, 0}, {60, 0}, {60, 200}, {0, 200}});
+  pattern::Panel front = garments::piece(
+      "Front",
+      {{-60, 770}, {0, 0}, {220, 0}, {220, 840}, {180, 1000}, {30, 1000, Vec2{30, 900}, Vec2{10, 800}}});
+  const std::vector<create::PocketCorner> corners =
+      create::pocket_corners(std::vector{front, back_of_trousers(1000), facing});
+  ASSERT_EQ(corners.size(), 1u);
+  EXPECT_EQ(corners[0].mouth, 3) << "although the inner edge comes first";
+}
+
 TEST(ProjectNew, WhereNothingFillsItOrSidesAgreeAFrontStaysAsItIsDrawn) {
   const pattern::Panel facing = garments::piece("Pocket facing", {{0, 0}, {60, 0}, {60, 200}, {0, 200}});
   EXPECT_TRUE(create::pocket_corners(std::vector{slashed_front(840), back_of_trousers(1000)}).empty());
