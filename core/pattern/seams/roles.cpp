@@ -77,24 +77,6 @@ const SeamRun* beyond_waist(const SeamModel& m, const SeamRun& start, Step step)
   return run == &start ? nullptr : run;
 }
 
-/// Whether the run is the hollow edge of a leg, between its inner edge and its waist.
-bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
-  if (run.turn.back() > kPairWeights.twin_hollow_deg || std::abs(run.up) > kPairWeights.facing) return false;
-  const auto forwards = [&](const SeamRun& at) -> const SeamRun& { return m.runs[at.next]; };
-  const auto backwards = [&](const SeamRun& at) -> const SeamRun& { return run_before(m, at); };
-  const auto is_outer = [&](const SeamRun* side, auto step) {
-    const auto goes_on = [&] {
-      return faces_right(m, *side) * faces_right(m, run) < 0 && side->turn.back() > kPairWeights.hollow_deg;
-    };
-    while (side != nullptr && goes_on() && !begins_at_hem(m, *side))
-      side = &step(*side);  // parted at a pocket
-    return side != nullptr && goes_on();
-  };
-  if (begins_at_hem(m, backwards(run)) && is_outer(beyond_waist(m, forwards(run), forwards), forwards))
-    return true;
-  return begins_at_hem(m, forwards(run)) && is_outer(beyond_waist(m, backwards(run), backwards), backwards);
-}
-
 /// How long the edge is that goes from a front's hem up to the shoulder, which faces up and outwards;
 /// `middle` is a part of it. mm.
 double front_edge(const SeamModel& m, const SeamRun& middle) {
@@ -138,6 +120,23 @@ bool is_level_leg(const SeamModel& m, Index panel) {
 }
 
 }  // namespace
+
+bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
+  if (run.turn.back() > kPairWeights.twin_hollow_deg || std::abs(run.up) > kPairWeights.facing) return false;
+  const auto forwards = [&](const SeamRun& at) -> const SeamRun& { return m.runs[at.next]; };
+  const auto backwards = [&](const SeamRun& at) -> const SeamRun& { return run_before(m, at); };
+  const auto is_outer = [&](const SeamRun* side, auto step) {
+    const auto goes_on = [&] {
+      return faces_right(m, *side) * faces_right(m, run) < 0 && side->turn.back() > kPairWeights.hollow_deg;
+    };
+    while (side != nullptr && goes_on() && !begins_at_hem(m, *side))
+      side = &step(*side);  // parted at a pocket
+    return side != nullptr && goes_on();
+  };
+  if (begins_at_hem(m, backwards(run)) && is_outer(beyond_waist(m, forwards(run), forwards), forwards))
+    return true;
+  return begins_at_hem(m, forwards(run)) && is_outer(beyond_waist(m, backwards(run), backwards), backwards);
+}
 
 bool has_leg_crotch(const SeamModel& m, Index panel) {
   return std::any_of(m.runs.begin(), m.runs.end(),

@@ -7,6 +7,9 @@
 
 namespace toile::seams {
 
+/// Whether the run is the hollow edge of a leg, between its inner edge and its waist.
+bool is_leg_crotch(const SeamModel& model, const SeamRun& run);
+
 /// Whether the piece has a hollow edge between an inner leg and the waist, with a side that goes from there
 /// to the hem.
 bool has_leg_crotch(const SeamModel& m, Index panel);

@@ -52,14 +52,14 @@ double length_of(const std::vector<const seams::SeamRun*>& side) {
   return length;
 }
 
-/// All that may be one: a crotch faces up a little, too, and then only lengths tell the two apart.
+/// All that may be one; a crotch faces up a little, too, and is none.
 std::vector<Mouth> mouths_of(const seams::SeamModel& m, Index panel) {
   std::vector<Mouth> mouths;
   for (const seams::SeamRun& lowest : m.runs) {
     if (lowest.panel != panel || !begins_side(m, lowest)) continue;
     for (const bool after : {true, false}) {
       std::vector<const seams::SeamRun*> side = side_from(m, lowest, after);
-      if (side.size() < 2 || side.back()->up < kMouthUp[0]) continue;
+      if (side.size() < 2 || side.back()->up < kMouthUp[0] || seams::is_leg_crotch(m, *side.back())) continue;
       const seams::SeamRun& mouth = *side.back();
       side.pop_back();
       mouths.push_back({side.back()->edge, mouth.edge, beside(m, mouth, after).edge, length_of(side), after});
