@@ -103,22 +103,27 @@ Legs broken(const std::vector<Vec2>& line) {
   return legs;
 }
 
+/// `line` from that end on.
+std::vector<Vec2> from_end(const std::vector<Vec2>& line, bool last) {
+  return last ? std::vector<Vec2>(line.rbegin(), line.rend()) : line;
+}
+
 std::vector<Legs> legs_of(const std::vector<pattern::InnerLine>& lines) {
+  std::vector<const std::vector<Vec2>*> drawn;  // texts drawn in strokes are shorter, and there are many
+  for (const pattern::InnerLine& line : lines)
+    if (line.drawn && geometry::polyline_length(line.points) >= kLeastLeg) drawn.push_back(&line.points);
   std::vector<Legs> legs;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::vector<Vec2>& line = lines[i].points;
-    if (!lines[i].drawn || line.size() < 2) continue;
-    if (line.size() > 2 && length(line.front() - line.back()) > kMeet) legs.push_back(broken(line));
-    for (std::size_t j = i + 1; j < lines.size(); ++j) {
-      if (!lines[j].drawn || lines[j].points.size() < 2) continue;
-      for (const bool from_end : {false, true})
-        for (const bool other_end : {false, true}) {
-          std::vector<Vec2> a = line, b = lines[j].points;
-          if (from_end) std::reverse(a.begin(), a.end());
-          if (other_end) std::reverse(b.begin(), b.end());
-          if (length(a.front() - b.front()) > kMeet) continue;
-          b.front() = a.front();
-          legs.push_back({std::move(a), std::move(b)});
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const std::vector<Vec2>& a = *drawn[i];
+    if (a.size() > 2 && length(a.front() - a.back()) > kMeet) legs.push_back(broken(a));
+    for (std::size_t j = i + 1; j < drawn.size(); ++j) {
+      const std::vector<Vec2>& b = *drawn[j];
+      for (const bool last_of_a : {false, true})
+        for (const bool last_of_b : {false, true}) {
+          const Vec2 tip = last_of_a ? a.back() : a.front();
+          if (length(tip - (last_of_b ? b.back() : b.front())) > kMeet) continue;
+          legs.push_back({from_end(a, last_of_a), from_end(b, last_of_b)});
+          legs.back().b.front() = tip;
         }
     }
   }

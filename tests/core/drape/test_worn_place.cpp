@@ -67,6 +67,30 @@ TEST(WornPlace, AHoodThatFellBackIsNoGarmentThatSlipped) {
   EXPECT_TRUE(slipped());
 }
 
+TEST(WornPlace, ASkirtThatLiesAtTheWaistHasNotSlippedThoughItWasPutOnHigher) {
+  OnBody skirt(test::skirt());
+  const auto name = [&](const std::string& kind) {
+    for (std::size_t p = 0; p < skirt.input.pattern.panels.size(); ++p)
+      skirt.input.pattern.panels[p].id = kind + (p == 0 ? "_front" : "_back");
+  };
+  name("skirt");
+  const std::vector<double> tops = drape::tops_of(skirt.start.placed.garment, skirt.x);
+  const double waist = test::person().figure.waist;
+  const auto slipped = [&](double below_waist) {
+    const double down = *std::max_element(tops.begin(), tops.end()) - (waist - below_waist);
+    std::vector<Vec3> x = skirt.x;
+    for (Vec3& p : x) p.y -= down;
+    std::vector<double> higher(tops.size(), waist + 0.25);
+    return told(
+        drape::judge_worn(skirt.input, test::person(), skirt.start.placed.garment, x, higher, {}).findings,
+        preflight::FindingKind::kSlipped);
+  };
+  EXPECT_FALSE(slipped(0));
+  EXPECT_TRUE(slipped(0.1)) << "on the hips";
+  name("bodice");
+  EXPECT_TRUE(slipped(0)) << "a bodice hangs higher";
+}
+
 /// It began below them, as a dress does that leaves the shoulders bare.
 TEST(WornPlace, WhatNeverLayOnAShoulderHasNotSlidOffIt) {
   const OnBody shirt(test::shirt());

@@ -60,6 +60,8 @@ TEST(Linking, RingsTellTheLimbsThatTheyGoAround) {
   EXPECT_EQ(around({f.middle, f.waist, 0}, {0, 1, 0}, 0.3), (Times{0, 0, 0, 1, 1})) << "a waistband";
   EXPECT_EQ(around((f.neck_front + f.neck_back) * 0.5, {0, 1, 0}, 0.12), (Times{1, 0, 0, 0, 0}))
       << "a neckline";
+  const Vec3 face{f.middle, f.chin + 0.25 * (f.top - f.chin), f.neck_front.z + 0.15};
+  EXPECT_EQ(around(face, {0, 0, 1}, 0.05), (Times{1, 0, 0, 0, 0})) << "a hood's edge, below the brow";
   EXPECT_EQ(around(f.arm[0].elbow, f.arm[0].along(), 0.1), (Times{0, 1, 0, 0, 0})) << "a left cuff";
   EXPECT_EQ(around(f.arm[1].elbow, f.arm[1].along(), 0.1), (Times{0, 0, 1, 0, 0})) << "a right cuff";
   EXPECT_EQ(around(f.leg[1].knee, {0, 1, 0}, 0.09), (Times{0, 0, 0, 0, 1})) << "a right leg";

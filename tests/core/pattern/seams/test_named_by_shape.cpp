@@ -18,19 +18,15 @@ namespace {
 
 using garments::mirrored;
 using garments::piece;
+using garments::plain_top;
 using garments::strip;
 using seams::PieceKind;
 using test::WornSeams;
 using Panels = std::vector<pattern::Panel>;
 
-pattern::Panel top(const std::string& name, double neck) {
-  return garments::bodice(name, {250, 0}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600},
-                          {70, 640, Vec2{60, neck}});
-}
-
 /// Its cap is eased by a twentieth onto the armholes of two tops.
 pattern::Panel arm(const std::string& name) {
-  const double armholes = 2 * garments::length_of(top("", 600), 2);
+  const double armholes = 2 * garments::length_of(plain_top("", 600), 2);
   pattern::Panel sleeve;
   for (double rise = 100; rise < 400; rise += 2) {
     sleeve = piece(
@@ -43,7 +39,7 @@ pattern::Panel arm(const std::string& name) {
 /// A front, a back, two sleeves with cuffs, a neckband, a band for the hem.
 Panels shirt_of_numbers() {
   const pattern::Panel sleeve = arm("3"), cuff = strip("5", 180, 110);
-  return {top("1", 520),       top("2", 600),        sleeve, mirrored(sleeve, "3_mirrored"),
+  return {plain_top("1", 520), plain_top("2", 600),  sleeve, mirrored(sleeve, "3_mirrored"),
           strip("4", 330, 32), strip("6", 860, 120), cuff,   mirrored(cuff, "5_mirrored")};
 }
 

@@ -22,29 +22,19 @@ namespace {
 
 using garments::mirrored;
 using garments::piece;
+using garments::plain_sleeve;
+using garments::plain_top;
 using garments::strip;
 using test::WornSeams;
 
 constexpr double kPi = std::numbers::pi;
 
-pattern::Panel shirt(const std::string& name, double neck) {
-  return garments::bodice(name, {250, 0}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600},
-                          {70, 640, Vec2{60, neck}});
-}
-
-pattern::Panel sleeve(const std::string& name, double half_hem) {
-  return piece(name, {{-half_hem, 0},
-                      {half_hem, 0},
-                      {185, 420, Vec2{90, 430}, Vec2{90, 560}},
-                      {0, 560, Vec2{-90, 560}, Vec2{-90, 430}},
-                      {-185, 420}});
-}
-
 TEST(Offices, ANeckBindingThatIsCutAlongItsGrainIsClosedAndStretchedOntoTheNeck) {
   pattern::Panel band = strip("Neckband", 330, 32);
   band.grain = {1, 0};
-  const pattern::Panel arm = sleeve("Sleeve", 110);
-  const WornSeams worn({shirt("Front", 520), shirt("Back", 600), arm, mirrored(arm, "Sleeve_2"), band});
+  const pattern::Panel arm = plain_sleeve("Sleeve", 110);
+  const WornSeams worn(
+      {plain_top("Front", 520), plain_top("Back", 600), arm, mirrored(arm, "Sleeve_2"), band});
   EXPECT_TRUE(worn.has({"Neckband.e1"}, {"Neckband.e3"})) << worn.text();
   EXPECT_TRUE(worn.has({"Front.e4", "Back.e4"}, {"Neckband.e2"}) ||
               worn.has({"Front.e4", "Back.e4"}, {"Neckband.e0"}))
@@ -144,7 +134,8 @@ TEST(Offices, TheStraightEdgeOfAHoodIsAroundTheFace) {
       piece("hood", {{0, 0}, {210, 0}, {210, 336, Vec2{150, 420}, Vec2{-90, 420}}, {-60, 220}});
   const seams::SeamModel m = seams::make_seam_model({{half, mirrored(half, "hood_mirrored")}, {}});
   ASSERT_EQ(m.words[0].kind, seams::PieceKind::kHood);
-  const WornSeams worn({shirt("Front", 520), shirt("Back", 600), half, mirrored(half, "hood_mirrored")});
+  const WornSeams worn(
+      {plain_top("Front", 520), plain_top("Back", 600), half, mirrored(half, "hood_mirrored")});
   EXPECT_TRUE(worn.has({"hood.e2"}, {"hood_mirrored.e2"}) ||
               worn.has({"hood.e2", "hood.e3"}, {"hood_mirrored.e2", "hood_mirrored.e3"}))
       << worn.text();
@@ -152,7 +143,7 @@ TEST(Offices, TheStraightEdgeOfAHoodIsAroundTheFace) {
 }
 
 TEST(Offices, ANumberThatEndsOneNameAloneIsASizeAndNoRow) {
-  const pattern::Panel arm = sleeve("SLV-2", 110);
+  const pattern::Panel arm = plain_sleeve("SLV-2", 110);
   const seams::SeamModel m = seams::make_seam_model({{arm, mirrored(arm, "SLV-2_mirrored")}, {}});
   EXPECT_EQ(m.twin[0], 1);
 }
@@ -167,7 +158,7 @@ TEST(Offices, WhatIsCutTwiceForOneFaceOrSideLiesOnItself) {
       is.push_back(w.layer);
     return is;
   };
-  EXPECT_EQ(layers({bib, second, shirt("Back", 600)}), (std::vector{false, true, false}));
+  EXPECT_EQ(layers({bib, second, plain_top("Back", 600)}), (std::vector{false, true, false}));
   EXPECT_EQ(layers({bib, second}), (std::vector{false, false})) << "front and back may be one piece";
   const pattern::Panel left = strip("Waistband left", 420, 40);
   EXPECT_EQ(layers({left, mirrored(left, "Waistband left_mirrored")}), (std::vector{false, true}));
@@ -242,8 +233,8 @@ TEST(Offices, BeltsAreNoStraps) {
 TEST(Offices, ARibIsClosedSoThatAHandPasses) {
   pattern::Panel cuff = strip("Cuff", 180, 140);
   cuff.grain = {1, 0};
-  const pattern::Panel arm = sleeve("Sleeve", 120);
-  const WornSeams worn({shirt("Front", 520), shirt("Back", 600), arm, mirrored(arm, "Sleeve_2"), cuff,
+  const pattern::Panel arm = plain_sleeve("Sleeve", 120);
+  const WornSeams worn({plain_top("Front", 520), plain_top("Back", 600), arm, mirrored(arm, "Sleeve_2"), cuff,
                         mirrored(cuff, "Cuff_2")});
   EXPECT_TRUE(worn.has({"Cuff.e1"}, {"Cuff.e3"})) << worn.text();
 }
@@ -266,12 +257,13 @@ TEST(Offices, WhatIsGatheredHangsFromItsYoke) {
 }
 
 TEST(Offices, RtBesideVtIsABack) {
-  const seams::SeamModel german =
-      seams::make_seam_model({{shirt("VT", 520), shirt("RT", 600), strip("RT_mirrored", 90, 30)}, {}});
+  const seams::SeamModel german = seams::make_seam_model(
+      {{plain_top("VT", 520), plain_top("RT", 600), strip("RT_mirrored", 90, 30)}, {}});
   EXPECT_EQ(german.words[1].face, -1);
   EXPECT_EQ(german.words[1].side, 0);
   EXPECT_EQ(german.words[2].face, -1);
-  const seams::SeamModel english = seams::make_seam_model({{shirt("Front", 520), shirt("RT", 600)}, {}});
+  const seams::SeamModel english =
+      seams::make_seam_model({{plain_top("Front", 520), plain_top("RT", 600)}, {}});
   EXPECT_EQ(english.words[1].side, 1);
 }
 
@@ -295,12 +287,12 @@ TEST(Offices, TrousersWhosePocketsAreCutAwayAreNoBodices) {
 }
 
 TEST(Offices, ASideThatAllNamesTellIsNone) {
-  const pattern::Panel arm = sleeve("Sleeve_L", 110);
+  const pattern::Panel arm = plain_sleeve("Sleeve_L", 110);
   const seams::SeamModel size =
-      seams::make_seam_model({{shirt("Front_L", 520), shirt("Back_L", 600), arm}, {}});
+      seams::make_seam_model({{plain_top("Front_L", 520), plain_top("Back_L", 600), arm}, {}});
   for (const seams::PieceWords& words : size.words) EXPECT_EQ(words.side, 0);
-  const seams::SeamModel sides =
-      seams::make_seam_model({{shirt("Front", 520), shirt("Back", 600), arm, sleeve("Sleeve_R", 110)}, {}});
+  const seams::SeamModel sides = seams::make_seam_model(
+      {{plain_top("Front", 520), plain_top("Back", 600), arm, plain_sleeve("Sleeve_R", 110)}, {}});
   EXPECT_EQ(sides.words[2].side, -1);
   EXPECT_EQ(sides.words[3].side, 1);
 }
@@ -314,7 +306,8 @@ TEST(Offices, AShortSleeveOfTwoCapHalvesStandsOnItsHem) {
                             {-185, under}});
   };
   const auto stands = [](const pattern::Panel& panel) {
-    return seams::make_seam_model({{shirt("Front", 520), shirt("Back", 600), panel}, {}}).upright[2] != 0;
+    return seams::make_seam_model({{plain_top("Front", 520), plain_top("Back", 600), panel}, {}})
+               .upright[2] != 0;
   };
   EXPECT_TRUE(stands(short_sleeve(30)));
 }
@@ -330,9 +323,9 @@ pattern::Panel buttoned_front(const std::string& name, double beyond) {
 }
 
 TEST(Offices, ACollarEndsInTheMiddleOfFrontsThatAreButtonedOverEachOther) {
-  const pattern::Panel front = buttoned_front("Front", 15), back = shirt("Back", 600);
+  const pattern::Panel front = buttoned_front("Front", 15), back = plain_top("Back", 600);
   const double neck = 2 * garments::length_of(front, 4) + garments::length_of(back, 4) - 30;
-  const pattern::Panel arm = sleeve("Sleeve", 110);
+  const pattern::Panel arm = plain_sleeve("Sleeve", 110);
   pattern::Panel collar = piece("Collar", {{0, 0}, {neck, 0}, {neck + 50, 70}, {-50, 70}});
   const pattern::Pattern pattern{
       {front, mirrored(front, "Front_mirrored"), back, arm, mirrored(arm, "Sleeve_2"), collar}, {}};

@@ -18,32 +18,22 @@ namespace {
 
 using garments::mirrored;
 using garments::piece;
+using garments::plain_sleeve;
+using garments::plain_top;
 using garments::strip;
 using seams::PieceKind;
 using test::WornSeams;
 using Panels = std::vector<pattern::Panel>;
 
-pattern::Panel body(const std::string& name, double neck) {
-  return garments::bodice(name, {250, 0}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600},
-                          {70, 640, Vec2{60, neck}});
-}
-
-pattern::Panel arm(const std::string& name) {
-  return piece(name, {{-110, 0},
-                      {110, 0},
-                      {185, 420, Vec2{90, 430}, Vec2{90, 560}},
-                      {0, 560, Vec2{-90, 560}, Vec2{-90, 430}},
-                      {-185, 420}});
-}
-
 std::vector<seams::PieceWords> words_of(const Panels& panels) { return seams::garment_words({panels, {}}); }
 
 TEST(ReadyToWear, ALetterBeforeAStyleNumberTellsNoFace) {
-  const auto words = words_of({body("B4410 FRT", 520), body("B4410 BK", 600), strip("B4410 CUFF", 235, 110)});
+  const auto words =
+      words_of({plain_top("B4410 FRT", 520), plain_top("B4410 BK", 600), strip("B4410 CUFF", 235, 110)});
   EXPECT_EQ(words[0].face, 1);
   EXPECT_EQ(words[1].face, -1);
   EXPECT_EQ(words[2].face, 0);
-  EXPECT_EQ(words_of({body("B2", 600)})[0].face, -1) << "a back in two parts";
+  EXPECT_EQ(words_of({plain_top("B2", 600)})[0].face, -1) << "a back in two parts";
 }
 
 TEST(ReadyToWear, CuffsCloseAroundAHandAndAreNeverSewnToEachOther) {
@@ -55,7 +45,7 @@ TEST(ReadyToWear, CuffsCloseAroundAHandAndAreNeverSewnToEachOther) {
 }
 
 TEST(ReadyToWear, ARoundedCuffHangsByItsStraightEdge) {
-  const pattern::Panel sleeve = arm("Sleeve");
+  const pattern::Panel sleeve = plain_sleeve("Sleeve");
   pattern::Panel cuff = piece("Cuff", {{200, 0}, {0, 0, Vec2{0, -150}, Vec2{200, -150}}});
   cuff.grain = {0, -1};
   const seams::SeamModel m = seams::make_seam_model({{sleeve, cuff}, {}});
@@ -66,12 +56,13 @@ TEST(ReadyToWear, ARoundedCuffHangsByItsStraightEdge) {
 
 TEST(ReadyToWear, AHoodsFaceIsInFront) {
   // As far around as both necks together, each half so far as half of that.
-  const double neck = garments::length_of(body("", 520), 4) + garments::length_of(body("", 600), 4);
+  const double neck = garments::length_of(plain_top("", 520), 4) + garments::length_of(plain_top("", 600), 4);
   const pattern::Panel half = piece(
       "Hood", {{0, 0}, {neck / 2, 0}, {neck / 2 + 20, 340, Vec2{neck / 2, 420}, Vec2{80, 420}}, {0, 330}});
-  const pattern::Panel sleeve = arm("Sleeve");
-  const Panels panels{body("Front", 520),      body("Back", 600), sleeve, mirrored(sleeve, "Sleeve_2"), half,
-                      mirrored(half, "Hood_2")};
+  const pattern::Panel sleeve = plain_sleeve("Sleeve");
+  const Panels panels{
+      plain_top("Front", 520), plain_top("Back", 600), sleeve, mirrored(sleeve, "Sleeve_2"), half,
+      mirrored(half, "Hood_2")};
   const WornSeams worn(panels);
   EXPECT_TRUE(worn.has({"Front.e4", "Front.e4", "Back.e4"}, {"Hood.e0", "Hood_2.e0"})) << worn.text();
 }
@@ -109,7 +100,7 @@ TEST(ReadyToWear, ABackIsGatheredBelowAYokeWhoseGrainLiesAcross) {
                                                {220, 520},
                                                {-220, 520, Vec2{-220, 460}, Vec2{-210, 400}},
                                                {-240, 380}});
-    return Panels{body("Front", 520), back, yoke};
+    return Panels{plain_top("Front", 520), back, yoke};
   }();
   const seams::SeamModel m = seams::make_seam_model({all, {}});
   const auto lower =
@@ -152,7 +143,7 @@ TEST(ReadyToWear, ASkirtWithOpenPleatsIsGatheredOntoItsWaistband) {
 }
 
 TEST(ReadyToWear, PiecesCutOfALiningLieOnOthers) {
-  Panels panels{body("1", 520), body("2", 600), strip("3", 215, 170)};
+  Panels panels{plain_top("1", 520), plain_top("2", 600), strip("3", 215, 170)};
   panels[2].fabric = "lining";
   EXPECT_TRUE(words_of(panels)[2].layer);
   EXPECT_FALSE(words_of(panels)[0].layer);

@@ -15,15 +15,11 @@ namespace toile {
 namespace {
 
 using garments::piece;
+using garments::plain_top;
 using garments::turned;
 using Panels = std::vector<pattern::Panel>;
 
 constexpr double kQuarter = std::numbers::pi / 2;
-
-pattern::Panel torso(const std::string& name, double neck) {
-  return garments::bodice(name, {250, 0}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600},
-                          {70, 640, Vec2{60, neck}});
-}
 
 Panels leg_halves() {
   Panels panels = garments::trousers().panels;
@@ -76,7 +72,7 @@ void expect_up(const Panels& panels, int quarters, int sense, const char* what) 
 }
 
 TEST(UpperEnds, AreToldByShapesHoweverPiecesAreLaidOut) {
-  const Panels top{torso("front", 520), torso("back", 600)};
+  const Panels top{plain_top("front", 520), plain_top("back", 600)};
   const Panels skirt{gore("skirt_front"), gore("skirt_back")};
   for (int quarters = 0; quarters < 4; ++quarters)
     for (const int sense : {1, -1}) {
@@ -91,13 +87,13 @@ TEST(UpperEnds, AreToldByShapesHoweverPiecesAreLaidOut) {
 TEST(UpperEnds, BodicesWithoutHollowsWidenToTheirHems) {
   const pattern::Panel front = piece("front", {{0, 0}, {380, 0}, {380, 1000}, {160, 1000}, {0, 380}});
   for (const int sense : {1, -1}) {
-    const Panels layout{torso("back", 600), laid({front}, 1, sense)[0]};
+    const Panels layout{plain_top("back", 600), laid({front}, 1, sense)[0]};
     EXPECT_GT(dot(seams::grains_upwards(layout)[1], layout[1].grain * sense), 0.99) << sense;
   }
 }
 
 TEST(UpperEnds, WhatTellsNothingGoesWithThoseDrawnAlikeIfTheyAgree) {
-  const Panels top{torso("front", 520), torso("back", 600), garments::strip("pocket", 120, 150)};
+  const Panels top{plain_top("front", 520), plain_top("back", 600), garments::strip("pocket", 120, 150)};
   expect_up(top, 2, -1, "all head first");
   Panels mixed = laid(top, 0, -1);
   mixed[0] = laid(top, 2, 1)[0];

@@ -44,6 +44,21 @@ inline pattern::Panel bodice(const std::string& name, const Node& hem, const Nod
                       back_along(-underarm.x, underarm.y, hem)});
 }
 
+/// A front or a back 500 mm wide, whose neck is as high as that in its middle, mm: a bodice().
+inline pattern::Panel plain_top(const std::string& name, double neck) {
+  return bodice(name, {250, 0}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600},
+                {70, 640, Vec2{60, neck}});
+}
+
+/// A sleeve for two of these, its cap in two halves. Edges: hem, side, cap, cap, side.
+inline pattern::Panel plain_sleeve(const std::string& name, double half_hem = 110) {
+  return piece(name, {{-half_hem, 0},
+                      {half_hem, 0},
+                      {185, 420, Vec2{90, 430}, Vec2{90, 560}},
+                      {0, 560, Vec2{-90, 560}, Vec2{-90, 430}},
+                      {-185, 420}});
+}
+
 }  // namespace toile::garments
 
 namespace toile::test {
