@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "core/base/aabb.h"
-#include "core/base/disjoint_sets.h"
+#include "core/base/units.h"
+#include "core/drape/left_open.h"
 #include "core/drape/worn_part.h"
 
 namespace toile::drape {
@@ -18,33 +19,18 @@ constexpr int kMostRefusals = 4;
 /// Less of the cloth's area than this is no drape of the garment any more: a waistband without its bodice.
 constexpr double kLeastPart = 0.5;
 
-double area_of(const DrapeStart& start, const std::vector<bool>& out) {
+double area_of(const mesh::PanelMesh& panel) {
   double area = 0;
-  for (std::size_t p = 0; p < start.meshes.panels.size(); ++p) {
-    if (!out.empty() && out[p]) continue;
-    const mesh::PanelMesh& panel = start.meshes.panels[p];
-    for (const Tri& t : panel.triangles)
-      area += std::abs(cross(panel.rest[t[1]] - panel.rest[t[0]], panel.rest[t[2]] - panel.rest[t[0]]));
-  }
+  for (const Tri& t : panel.triangles)
+    area += std::abs(cross(panel.rest[t[1]] - panel.rest[t[0]], panel.rest[t[2]] - panel.rest[t[0]]));
   return 0.5 * area;
 }
 
-/// The share of the whole's cloth that hangs together most in the part.
-double most_together(const DrapeInput& input, const DrapeStart& whole, const DrapeInput& part,
-                     const std::vector<bool>& out) {
-  DisjointSets sets(part.pattern.panels.size());
-  for (const pattern::Seam& seam : part.pattern.seams)
-    for (const std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b})
-      for (const pattern::SeamEdge& e : *side) sets.join(seam.a.front().panel, e.panel);
-  std::vector<double> area(part.pattern.panels.size(), 0);
-  Index now = 0;  // the part's panels are in the order of the whole's
-  for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
-    if (out[p]) continue;
-    std::vector<bool> others(out.size(), true);
-    others[p] = false;
-    area[sets.root(now++)] += area_of(whole, others);
-  }
-  return area.empty() ? 0 : *std::max_element(area.begin(), area.end()) / area_of(whole, {});
+double area_of(const DrapeStart& start, const std::vector<bool>& out) {
+  double area = 0;
+  for (std::size_t p = 0; p < start.meshes.panels.size(); ++p)
+    if (out.empty() || !out[p]) area += area_of(start.meshes.panels[p]);
+  return area;
 }
 
 /// Marks the panels of `input` that `part` does not have.
@@ -64,16 +50,6 @@ void mark_at_fault(const std::vector<Index>& at_fault, std::vector<bool>& out) {
   for (std::size_t p = 0; p < out.size(); ++p)
     if (!out[p]) panel_of.push_back(p);
   for (const Index p : at_fault) out[panel_of[p]] = true;
-}
-
-/// The smaller of two panels, as far as one is not out already.
-Index smaller_of(const DrapeStart& whole, const std::vector<bool>& out, Index a, Index b) {
-  const auto area = [&](Index p) {
-    std::vector<bool> others(out.size(), true);
-    others[p] = out[p];
-    return area_of(whole, others);
-  };
-  return area(a) < area(b) ? a : b;
 }
 
 /// Marks the pieces that errors about where pieces stand name: of two that get in each other's way, or that a
@@ -101,7 +77,8 @@ bool mark_refused(const DrapeInput& input, const DrapeStart& whole, const prefli
     std::erase(panels, kNone);
     if (panels.empty() || std::any_of(panels.begin(), panels.end(), [&](Index p) { return bool(out[p]); }))
       continue;
-    out[smaller_of(whole, out, panels.front(), panels.back())] = true;
+    const auto area = [&](Index p) { return area_of(whole.meshes.panels[p]); };
+    out[area(panels.front()) < area(panels.back()) ? panels.front() : panels.back()] = true;
     any = true;
   }
   return any;
@@ -155,7 +132,9 @@ std::optional<FittedStart> without_refused(const DrapeInput& input, DrapeStart& 
   preflight::Findings findings = start.findings;
   for (int k = 0; k < kMostRefusals && mark_refused(input, start, findings, out); ++k) {
     std::optional<DrapeInput> part = reduced_by(input, start, out);
-    if (!part || most_together(input, start, *part, out) < kLeastPart) return std::nullopt;
+    const double square_mm = metres_from_mm(1) * metres_from_mm(1);  // m²
+    if (!part || square_mm * most_together(part->pattern) < kLeastPart * area_of(start, {}))
+      return std::nullopt;
     Result<DrapeStart> less = prepare_start(*part, context);
     if (!less) return std::nullopt;
     if (!preflight::first_error(less->findings)) {

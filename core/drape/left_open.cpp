@@ -30,18 +30,6 @@ double area_of(const pattern::Panel& panel) {
   return area;
 }
 
-/// mm², of the cloth that hangs together most.
-double most_together(const pattern::Pattern& pattern) {
-  DisjointSets panels(pattern.panels.size());
-  for (const pattern::Seam& seam : pattern.seams)
-    for (const std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b})
-      for (const pattern::SeamEdge& e : *side) panels.join(seam.a.front().panel, e.panel);
-  std::vector<double> area(pattern.panels.size(), 0);
-  for (std::size_t p = 0; p < area.size(); ++p)
-    area[panels.root(static_cast<Index>(p))] += area_of(pattern.panels[p]);
-  return area.empty() ? 0 : *std::max_element(area.begin(), area.end());
-}
-
 /// A series of edges as one line of the garment's vertices, with the way along the flat cloth to each, m.
 struct Line {
   std::vector<Index> vertices;
@@ -82,6 +70,17 @@ Line line_of(const std::vector<pattern::SeamEdge>& side, const mesh::PanelMeshes
 }
 
 }  // namespace
+
+double most_together(const pattern::Pattern& pattern) {
+  DisjointSets panels(pattern.panels.size());
+  for (const pattern::Seam& seam : pattern.seams)
+    for (const std::vector<pattern::SeamEdge>* side : {&seam.a, &seam.b})
+      for (const pattern::SeamEdge& e : *side) panels.join(seam.a.front().panel, e.panel);
+  std::vector<double> area(pattern.panels.size(), 0);
+  for (std::size_t p = 0; p < area.size(); ++p)
+    area[panels.root(static_cast<Index>(p))] += area_of(pattern.panels[p]);
+  return area.empty() ? 0 : *std::max_element(area.begin(), area.end());
+}
 
 DrapeInput with_seams_that_can_be_sewn(DrapeInput input) {
   const auto can = [&](const pattern::Seam& seam) { return can_be_sewn(input.pattern, seam); };

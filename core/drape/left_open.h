@@ -14,6 +14,9 @@
 
 namespace toile::drape {
 
+/// mm², of the cloth that hangs together most by seams. REQUIRES seams that name panels of the pattern.
+double most_together(const pattern::Pattern& pattern);
+
 /// The input without the seams of which one side is more than three times as long as the other
 /// (preflight/check_pattern.h): no cloth is gathered as much. `left_open` has them. The same input where less
 /// than half would hang together of what does with them, for then the file's units or its seams are wrong as

@@ -109,7 +109,7 @@ WornVerdict judge_unsewn(const DrapeInput& input, const measure::BodyFigure& fig
     verdict.findings.push_back(
         preflight::found(preflight::FindingKind::kUnsewn,
                          "no seam joins the pieces, and they came down from the body; sew them on the page, "
-                         "or make the project with toile project new --accept-seams 0.8",
+                         "or make the project with toile project new --accept-seams 0.5",
                          std::move(down), {}));
   if (!verdict.findings.empty()) verdict.worn = Worn::kNo;
   return verdict;
