@@ -177,7 +177,8 @@ struct ProjectNewOptions {
   std::string pattern;              ///< path of a DXF file or a GarmentCode specification
   std::string body;                 ///< path of a mesh
   std::string out;                  ///< path of the document
-  double accept_seams = -1;         ///< least confidence of proposals that become seams; negative: none do
+  double accept_seams = 0.8;        ///< least confidence of proposals that become seams (create::kSure)
+  bool no_seams = false;            ///< no proposal becomes a seam
   std::vector<std::string> layers;  ///< as of an import
   bool json = false;
 };

@@ -198,17 +198,20 @@ CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
   verb->add_option(
           "--accept-seams", options.accept_seams,
           "Take the seams proposed with this confidence or more, those of 0.65 whose edges nothing surer\n"
-          "wants, and likely ones (0.5) of pieces that nothing surer holds on (default: take none)")
-      ->check(CLI::Range(0.0, 1.0));
+          "wants, and likely ones (0.5) of pieces that nothing surer holds on")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  verb->add_flag("--no-seams", options.no_seams, "Take none: they are sewn by hand, in the document or on the page")
+      ->excludes("--accept-seams");
   add_layer_option(*verb, options.layers);
   verb->add_flag("--json", options.json, "Print as JSON");
   verb->footer(
       std::string(
-          "A specification brings its seams and places. For a DXF file seams are proposed; where some are\n"
-          "taken, its pieces are arranged around the body, else they stand flat before and behind it.\n\n"
+          "A specification brings its seams and places. For a DXF file seams are proposed; where some\n"
+          "are taken, its pieces are arranged around the body, else they stand flat before and behind it.\n\n"
           "Examples:\n"
           "  toile project new --pattern shirt.dxf --body body.obj --out project.json\n"
-          "  toile project new --pattern shirt.dxf --body body.obj --out p.json --accept-seams 0.8\n\n") +
+          "  toile project new --pattern shirt.dxf --body body.obj --out p.json --accept-seams 0.5\n\n") +
       kExitCodes);
   return verb;
 }

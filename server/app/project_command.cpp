@@ -114,7 +114,7 @@ Result<create::NewProject> make(const ProjectNewOptions& options) {
   settings.pattern_file = fs::path(options.pattern).filename().string();
   settings.body_file = fs::path(options.body).filename().string();
   settings.body = body.box;
-  if (options.accept_seams >= 0) settings.accept_seams = options.accept_seams;
+  if (!options.no_seams) settings.accept_seams = options.accept_seams;
   Result<create::NewProject> made = create::new_project(text, settings);
   if (made) {
     place_body(body, *made);

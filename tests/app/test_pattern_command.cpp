@@ -275,16 +275,15 @@ TEST(ProjectCommand, NewArrangesADrawingThatItSews) {
     EXPECT_EQ(run.code, 0) << run.err;
     return std::pair{run, project::parse_project(text_of(folder / name)).value()};
   };
-  const std::vector<std::string> sewing{"--accept-seams", "0.5"};
-  const auto [run, sewn] = made_with(sample / "body.obj", "sewn.json", sewing);
-  const auto [plain_run, plain] = made_with(sample / "body.obj", "plain.json", {});
+  const auto [run, sewn] = made_with(sample / "body.obj", "sewn.json", {});
+  const auto [plain_run, plain] = made_with(sample / "body.obj", "plain.json", {"--no-seams"});
   EXPECT_FALSE(sewn.seams.empty());
   EXPECT_FALSE(sewn.attachments.empty()) << "a skirt is held at its waist";
   EXPECT_TRUE(plain.attachments.empty()) << "nothing tells where pieces go that are not sewn";
   EXPECT_FALSE(has(run.out, "stand in rows")) << run.out;
   EXPECT_EQ(run_toile({"check", folder / "sewn.json"}).code, 0);
   const fs::path post = napkin_folder("toile_project_rows") / "post.obj";
-  const auto [rows_run, rows] = made_with(post, "rows.json", sewing);
+  const auto [rows_run, rows] = made_with(post, "rows.json", {});
   EXPECT_TRUE(has(rows_run.out, "the pieces stand in rows")) << rows_run.out;
   EXPECT_EQ(rows.seams.size(), sewn.seams.size());
   EXPECT_TRUE(rows.attachments.empty());
@@ -314,7 +313,8 @@ TEST(ProjectCommand, NewSetsTheBodyUprightAndToTheFront) {
   const auto told = [&](const std::string& name, const std::function<Vec3(Vec3)>& turn) {
     write_text(folder / (name + ".obj"), turned_body(turn));
     const Ran run = run_toile({"project", "new", "--pattern", sample / "skirt.dxf", "--body",
-                               folder / (name + ".obj"), "--out", folder / "made" / (name + ".json")});
+                               folder / (name + ".obj"), "--out", folder / "made" / (name + ".json"),
+                               "--no-seams"});
     EXPECT_EQ(run.code, 0) << run.err;
     return std::pair{run.out, project::parse_project(text_of(folder / "made" / (name + ".json"))).value()};
   };
@@ -337,12 +337,12 @@ TEST(ProjectCommand, NewSetsTheBodyUprightAndToTheFront) {
   fs::remove_all(folder);
 }
 
-TEST(ProjectCommand, NewTakesProposalsOfADrawingWhenAsked) {
+TEST(ProjectCommand, NewTakesTheProposalsOfADrawingThatAreSure) {
   const fs::path folder = napkin_folder("toile_project_dxf");
   write_text(folder / "graded.dxf", kGraded);
   const fs::path out = folder / "project.json";
   const Ran run = run_toile({"project", "new", "--pattern", folder / "graded.dxf", "--body",
-                             folder / "post.obj", "--out", out, "--accept-seams", "0.8", "--json"});
+                             folder / "post.obj", "--out", out, "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   const auto tree = json::parse_json(run.out);
   ASSERT_TRUE(tree) << run.out;
