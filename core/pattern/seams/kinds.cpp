@@ -8,6 +8,7 @@
 #include "core/pattern/seams/cuts.h"
 #include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/roles.h"
+#include "core/pattern/seams/round_stand.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
@@ -304,7 +305,7 @@ bool is_too_tight(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
 
 /// Whether no garment has the two runs sewn to each other, whatever else it is.
 bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b)) return true;
+  if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b) || misses_round_stand(m, a, b)) return true;
   if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))
     return true;
   const bool shuts_hood = m.twin[a.panel] == b.panel && is_face_of_hood(m, a) && is_face_of_hood(m, b);

@@ -152,6 +152,18 @@ Vec2 up_of_yoke(const pattern::Panel& panel) {
   return grain_or_middle(panel);
 }
 
+/// Of a band that is folded: its fold lies above a waist and around a neck, below where it ends a limb or a top.
+std::optional<Vec2> up_from_fold(const pattern::Panel& panel, const PieceWords& words) {
+  const bool ends = words.kind == PieceKind::kCuff || words.hem_band;
+  if (!ends && words.kind != PieceKind::kBand && words.kind != PieceKind::kCollar) return std::nullopt;
+  for (const pattern::PanelEdge& edge : panel.outline.edges) {
+    if (edge.id != pattern::kFoldEdge) continue;
+    const Vec2 inwards = normalized(perpendicular(edge.curves.back().p3 - edge.curves.front().p0));
+    return ends ? inwards : -inwards;
+  }
+  return std::nullopt;
+}
+
 void add_panel(const pattern::Panel& panel, Index index, SeamModel& model) {
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
   const Index first = static_cast<Index>(model.runs.size());
@@ -160,6 +172,7 @@ void add_panel(const pattern::Panel& panel, Index index, SeamModel& model) {
     SeamRun run;
     run.panel = index;
     run.edge = static_cast<Index>(e);
+    run.fold = edges[e].id == pattern::kFoldEdge;
     run.next = first + static_cast<Index>((e + 1) % count);
     measure(edges[e], run);
     run.up = dot(normalized(-perpendicular(run.at.back() - run.at.front())), model.up[index]);
@@ -345,10 +358,11 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
     const bool neckband = words.stand && words.kind == PieceKind::kCollar && strip;
     const bool band = words.hem_band || neckband;
     const bool over_shoulders = words.yoke && words.face == 0;
+    const PieceKind kind = band ? PieceKind::kBand : half_cuff ? PieceKind::kOther : words.kind;
+    const std::optional<Vec2> from_fold = up_from_fold(pattern.panels[p], words);
     model.up.push_back(over_shoulders ? up_of_yoke(pattern.panels[p])
-                                      : up_of(pattern.panels[p], band        ? PieceKind::kBand
-                                                                 : half_cuff ? PieceKind::kOther
-                                                                             : words.kind));
+                       : from_fold    ? *from_fold
+                                      : up_of(pattern.panels[p], kind));
     add_panel(pattern.panels[p], static_cast<Index>(p), model);
     model.lines.push_back(static_cast<int>(pattern.panels[p].outline.edges.size()));
     // Sleeves are often drawn lying, and files without grain lines have it upright.

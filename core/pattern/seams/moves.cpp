@@ -9,6 +9,11 @@ namespace {
 constexpr double kWeakest = -1;              // a pair that is worth less is no candidate
 constexpr std::size_t kMostCandidates = 12;  // of a run
 
+/// Nothing is sewn to a fold but the one of the mirrored piece: bands along two fronts are buttoned there.
+bool never_at_fold(const SeamModel& m, Index a, Index b) {
+  return (m.runs[a].fold || m.runs[b].fold) && m.mirror[a] != b;
+}
+
 double best_of(const Candidate& c) { return std::max(c.merit[0], c.merit[1]); }
 
 /// The runs that run a may be sewn to, the best first.
@@ -16,7 +21,7 @@ std::vector<Candidate> candidates_of(const SeamModel& m, const std::vector<char>
   std::vector<Candidate> all;
   if (locked[a]) return all;
   for (Index b = 0; b < static_cast<Index>(m.runs.size()); ++b) {
-    if (b == a || locked[b]) continue;
+    if (b == a || locked[b] || never_at_fold(m, a, b)) continue;
     const Candidate c{b, pair_merit(m, a, b)};
     if (best_of(c) > kWeakest) all.push_back(c);
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/pattern/seams/round_stand.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
@@ -36,7 +37,7 @@ std::vector<Chain> chains_of(const SeamModel& m, const std::vector<std::vector<I
       Chain chain{l, first, {}, 0, false};
       for (std::size_t k = 0; k < n; ++k) {
         const Index r = borders[l][(first + k) % n];
-        if (r < static_cast<Index>(locked.size()) && locked[r]) break;
+        if (m.runs[r].fold || (r < static_cast<Index>(locked.size()) && locked[r])) break;
         chain.runs.push_back(r);
         chain.length += m.runs[r].length;
         chain.whole = k + 1 == n;
@@ -223,13 +224,18 @@ bool is_of_bodice(const SeamModel& m, const Chain& chain) {
 }
 
 /// How far the neck of a front that opens goes on beyond the ends of a collar, mm: by what the fronts are
-/// buttoned over each other. Nothing where that is no such collar.
+/// buttoned over each other; or the upper edge of a stand, whose ends are round. Nothing where that is no such
+/// collar.
 std::optional<double> beyond_collar(const SeamModel& m, const Chain& collar, const Chain& neck) {
   const double beyond = (neck.length - collar.length) / 2;
   if (beyond < kSeriesWeights.overlap_least_mm || beyond > kSeriesWeights.overlap_most_mm ||
-      collar.runs.size() != 1 || neck.runs.size() < 3 || !is_of(m, collar, PieceKind::kCollar) ||
-      !is_of_bodice(m, neck) || !is_symmetric(m, collar) || !is_symmetric(m, neck))
+      collar.runs.size() != 1 || !is_of(m, collar, PieceKind::kCollar) || !is_symmetric(m, collar) ||
+      !is_symmetric(m, neck))
     return std::nullopt;
+  if (std::all_of(neck.runs.begin(), neck.runs.end(),
+                  [&](Index r) { return round_stand_edge(m, m.runs[r]) > 0; }))
+    return is_inner_of_collar(m, m.runs[collar.runs.front()]) ? std::optional(beyond) : std::nullopt;
+  if (neck.runs.size() < 3 || !is_of_bodice(m, neck)) return std::nullopt;
   if (m.words[m.runs[collar.runs.front()].panel].stand) return std::nullopt;  // ribs are stretched on
   const Index front = m.runs[neck.runs.front()].panel, other = m.runs[neck.runs.back()].panel;
   const bool opens = front != other && m.twin[front] == other && m.words[front].face >= 0;
@@ -273,10 +279,11 @@ std::vector<Trial> trials_of(const SeamModel& m, const std::vector<Chain>& chain
   for (std::size_t i = 0; i < chains.size(); ++i) {
     for (std::size_t j = i + 1; j < chains.size(); ++j) {
       const Chain &a = chains[i], &b = chains[j];
-      if (a.runs.size() + b.runs.size() < 3 || overlap(a, b) || are_of_two_cuffs(m, a, b)) continue;
+      if (overlap(a, b) || are_of_two_cuffs(m, a, b)) continue;
       const std::optional<double> first = beyond_collar(m, a, b), second = beyond_collar(m, b, a);
       if (first || second)
         trials.push_back({i, j, kSeriesWeights.collar_in_middle, first ? *first : *second});
+      if (a.runs.size() + b.runs.size() < 3) continue;
       const double ratio = std::max(a.length, b.length) / std::min(a.length, b.length);
       if (ratio > (a.whole && b.whole ? kSeriesWeights.ratio_whole : kSeriesWeights.ratio) &&
           !pleats_on_band(m, a, b))

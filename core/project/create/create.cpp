@@ -13,12 +13,14 @@
 #include "core/pattern/own_mirror.h"
 #include "core/pattern/seams/accept.h"
 #include "core/pattern/seams/check.h"
+#include "core/pattern/seams/garment_words.h"
 #include "core/pattern/seams/piece_words.h"
 #include "core/pattern/seams/upper_ends.h"
 #include "core/pattern/validate.h"
 #include "core/project/create/choose_fabrics.h"
 #include "core/project/create/choose_mesh.h"
 #include "core/project/create/drawn_darts.h"
+#include "core/project/create/fold_lines.h"
 #include "core/project/create/halves.h"
 #include "core/project/create/pocket_corners.h"
 #include "core/project/create/waist_elastic.h"
@@ -150,6 +152,23 @@ void cut_darts(CutPieces& cut) {
   }
 }
 
+/// What is folded back is cut off, each where the piece can be cut so.
+void fold_back(CutPieces& cut) {
+  pattern::Pattern pattern;
+  pattern.panels = cut.panels;
+  const std::vector<seams::PieceWords> words = seams::garment_words(pattern);
+  for (std::size_t p = 0; p < cut.panels.size(); ++p) {
+    const std::optional<FoldLine> fold = fold_line(cut.panels[p], words[p]);
+    if (!fold) continue;
+    pattern::Panel rest = folded(cut.panels[p], *fold);
+    if (!pattern::validate(rest)) continue;
+    cut.panels[p] = std::move(rest);
+    cut.filled[p] = 1;
+    cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[p].id) +
+                                " is folded along a line that is drawn across it: what is folded back is cut off");
+  }
+}
+
 /// What cannot be cut is left out with a note, as long as anything is left: one bad outline of many must not
 /// keep the garment from being made. Error: that of the first, where none can be cut.
 Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
@@ -172,6 +191,7 @@ Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
   for (std::size_t p = 0; p < up.size(); ++p) cut.panels[p].grain = up[p];
   cut.filled.assign(cut.panels.size(), 0);
   cut_darts(cut);
+  fold_back(cut);
   for (const PocketCorner& pocket : pocket_corners(cut.panels)) {
     cut.panels[pocket.panel] = with_corner(cut.panels[pocket.panel], pocket);
     cut.filled[pocket.panel] = 1;

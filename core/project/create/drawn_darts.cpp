@@ -8,6 +8,7 @@
 
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/loop_part.h"
 
 namespace toile::create {
 namespace {
@@ -132,53 +133,6 @@ std::vector<Legs> legs_of(const std::vector<pattern::InnerLine>& lines) {
 
 bool same_place(Vec2 a, Vec2 b) { return length(a - b) < kAtOutline; }
 
-/// The part of the outline from `from` on to `to`, edges broken there.
-std::vector<pattern::PanelEdge> outline_between(const pattern::Loop& loop, Vec2 from, Vec2 to) {
-  // Parameters of the place on its curve that is nearest.
-  struct At {
-    std::size_t edge = 0, curve = 0;
-    double t = 0, off = HUGE_VAL;
-  };
-  const auto nearest = [&](Vec2 p) {
-    At best;
-    for (std::size_t e = 0; e < loop.edges.size(); ++e)
-      for (std::size_t c = 0; c < loop.edges[e].curves.size(); ++c) {
-        const pattern::CubicBezier& curve = loop.edges[e].curves[c];
-        const double whole = pattern::arc_length(curve);
-        const int steps = std::max(2, static_cast<int>(whole / kFlat));
-        for (int k = 0; k <= steps; ++k) {
-          const double t = static_cast<double>(k) / steps, off = length(pattern::evaluate(curve, t) - p);
-          if (off < best.off - 1e-9) best = {e, c, t, off};
-        }
-      }
-    return best;
-  };
-  const At a = nearest(from), b = nearest(to);
-  const std::size_t n = loop.edges.size();
-  std::vector<pattern::PanelEdge> out;
-  const auto take = [&](std::size_t e, std::size_t c, double t0, double t1) {
-    if (t1 - t0 < 1e-6) return;
-    pattern::CubicBezier curve = loop.edges[e].curves[c];
-    if (t1 < 1) curve = pattern::split(curve, t1).first;
-    if (t0 > 0) curve = pattern::split(curve, t0 / t1).second;
-    out.back().curves.push_back(curve);
-  };
-  for (std::size_t k = 0; k <= n; ++k) {
-    const std::size_t e = (a.edge + k) % n;
-    const bool first = k == 0;
-    const bool last = e == b.edge && (k > 0 || b.curve > a.curve || (b.curve == a.curve && b.t > a.t));
-    out.push_back({"", {}});
-    for (std::size_t c = first ? a.curve : 0; c < loop.edges[e].curves.size(); ++c) {
-      const bool ends = last && c == b.curve;
-      take(e, c, first && c == a.curve ? a.t : 0, ends ? b.t : 1);
-      if (ends) break;
-    }
-    if (out.back().curves.empty()) out.pop_back();
-    if (last) break;
-  }
-  return out;
-}
-
 }  // namespace
 
 std::vector<DrawnDart> drawn_darts(const pattern::Panel& panel) {
@@ -200,7 +154,7 @@ std::vector<DrawnDart> drawn_darts(const pattern::Panel& panel) {
 
 pattern::Panel with_dart(const pattern::Panel& panel, const DrawnDart& dart) {
   pattern::Panel cut = panel;
-  cut.outline.edges = outline_between(panel.outline, dart.second, dart.first);
+  cut.outline.edges = pattern::edges_between(panel.outline, dart.second, dart.first);
   std::vector<pattern::PanelEdge>& edges = cut.outline.edges;
   const Vec2 from = edges.back().curves.back().p3, to = edges.front().curves.front().p0;
   edges.push_back({"", {pattern::line_segment(from, dart.tip)}});

@@ -160,5 +160,45 @@ TEST(ReadyToWear, StrapsOfADressAreForItsBodice) {
   EXPECT_FALSE(seams::never_sewn(m, 1, 10));
 }
 
+/// A shirt's stand with round ends: edges neck and top, which goes around the ends.
+pattern::Panel round_stand(double neck) {
+  return piece("Collar Stand", {{0, 10}, {neck, 10, Vec2{neck + 10, 50}, Vec2{-10, 50}}});
+}
+
+TEST(ReadyToWear, ACollarSitsInTheMiddleOfAStandWithRoundEnds) {
+  const pattern::Panel half_front = piece("Front", {{0, 0},
+                                                    {250, 0},
+                                                    {245, 380, Vec2{190, 390}, Vec2{185, 430}},
+                                                    {200, 600},
+                                                    {70, 640, Vec2{60, 580}, Vec2{40, 540}},
+                                                    {0, 540}});
+  const pattern::Panel back = plain_top("Back", 600);
+  const double neck = garments::length_of(back, 4) + 2 * garments::length_of(half_front, 4);
+  const pattern::Panel stand = round_stand(neck);
+  const double sits = garments::length_of(stand, 1) - 60;
+  const pattern::Panel collar =
+      piece("Collar", {{0, 0}, {sits, 0}, {sits + 16, 65}, {-16, 65}});
+  const Panels panels{half_front, mirrored(half_front, "Front_mirrored"), back, stand, collar};
+  const WornSeams worn(panels);
+  EXPECT_TRUE(worn.has({"Collar.e0"}, {"Collar Stand.e1"})) << worn.text();
+  EXPECT_TRUE(worn.has({"Front.e4", "Back.e4", "Front_mirrored.e4"}, {"Collar Stand.e0"})) << worn.text();
+  const seams::SeamModel m = seams::make_seam_model({{stand, collar, back}, {}});
+  EXPECT_TRUE(seams::never_sewn(m, 0, 2)) << "the collar along the neck's edge";
+  EXPECT_TRUE(seams::never_sewn(m, 1, 3)) << "its end on the top";
+  EXPECT_TRUE(seams::never_sewn(m, 1, 6 + 4)) << "the neck on the top";
+}
+
+TEST(ReadyToWear, NothingIsSewnToAFoldButTheOtherFrontsBand) {
+  pattern::Panel band = strip("Waistband", 480, 40);
+  band.outline.edges[2].id = pattern::kFoldEdge;
+  const pattern::Panel skirt = strip("Skirt front", 480, 500);
+  const WornSeams worn({band, skirt});
+  EXPECT_TRUE(worn.has({"Waistband.e0"}, {"Skirt front.e2"})) << worn.text();
+  EXPECT_GT(seams::make_seam_model({{band, skirt}, {}}).up[0].y, 0.9) << "a waist's fold lies above";
+  pattern::Panel cuff = strip("Cuff", 215, 60);
+  cuff.outline.edges[2].id = pattern::kFoldEdge;
+  EXPECT_LT(seams::make_seam_model({{cuff}, {}}).up[0].y, -0.9) << "a cuff's below";
+}
+
 }  // namespace
 }  // namespace toile
