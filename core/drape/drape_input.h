@@ -23,6 +23,7 @@ struct LeftOut {
   bool layer = false;  ///< by its name a lining, facing or pocket: the garment is whole without it
   Vec3 place;          ///< m, its middle where it stands
   bool tried = false;  ///< with it, no way to put the garment on was certified
+  bool tied = false;   ///< by its name a belt or a tie, which would be knotted: whole without it as well
 };
 
 struct DrapeInput {

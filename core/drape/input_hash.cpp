@@ -134,8 +134,9 @@ void write_one(StateWriter& out, const DrapeSettings& settings) {
         dress, ground, until_settled, air, method, paper);
 }
 void write_one(StateWriter& out, const LeftOut& piece) {
-  const auto& [id, layer, place, tried] = piece;
+  const auto& [id, layer, place, tried, tied] = piece;
   write(out, id, layer, place, tried);
+  if (tied) write(out, tied);  // all others keep their hash
 }
 void write_one(StateWriter& out, const DrapeInput& input) {
   const auto& [name, pattern, placements, fabrics, fabric_of_panel, bodies, attachments, notions, settings,

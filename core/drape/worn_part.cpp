@@ -147,7 +147,8 @@ DrapeInput with_panels(const DrapeInput& input, const std::vector<Index>& kept) 
   const std::vector<char> layers = seams::lying_on_others(input.pattern);
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     if (std::binary_search(kept.begin(), kept.end(), static_cast<Index>(p))) continue;
-    some.left_out.push_back({input.pattern.panels[p].id, layers[p] != 0, {}, false});
+    const std::string& id = input.pattern.panels[p].id;
+    some.left_out.push_back({id, layers[p] != 0, {}, false, seams::is_tied(seams::words_of(id))});
   }
   return some;
 }
@@ -180,11 +181,16 @@ void tell_left_out(const DrapeInput& input, preflight::Findings& findings) {
   const std::string in_the_way =
       "with this piece the garment could not be put on the body, so that it is left out of the drape; see to "
       "its seams, and whether one is missing";
+  const std::string knotted =
+      "a belt or a tie is knotted around the garment, which is not simulated: it is left out of the drape";
   for (const LeftOut& piece : input.left_out) {
-    preflight::Finding& told = findings.emplace_back(
-        preflight::found(preflight::FindingKind::kLeftOut, piece.tried ? in_the_way : loose,
-                         {preflight::piece_named(piece.id)}, piece.place));
-    if (piece.layer) told.severity = preflight::Severity::kNote;
+    preflight::Finding& told =
+        findings.emplace_back(preflight::found(preflight::FindingKind::kLeftOut,
+                                               piece.tried  ? in_the_way
+                                               : piece.tied ? knotted
+                                                            : loose,
+                                               {preflight::piece_named(piece.id)}, piece.place));
+    if (piece.layer || piece.tied) told.severity = preflight::Severity::kNote;
   }
   preflight::sort_by_severity(findings);
 }

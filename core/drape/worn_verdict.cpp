@@ -118,7 +118,7 @@ WornVerdict judge_unsewn(const DrapeInput& input, const measure::BodyFigure& fig
 bool is_whole(const DrapeInput& input, const std::vector<OpenSeam>& open) {
   return open.empty() && input.left_open.empty() &&
          std::all_of(input.left_out.begin(), input.left_out.end(),
-                     [](const LeftOut& piece) { return piece.layer; });
+                     [](const LeftOut& piece) { return piece.layer || piece.tied; });
 }
 
 }  // namespace

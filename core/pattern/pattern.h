@@ -21,8 +21,8 @@ struct PanelEdge {
   std::vector<CubicBezier> curves;
 };
 
-/// Id of the edge along which doubled cloth is folded, as the middle of a waistband: nothing is sewn there but
-/// another fold.
+/// Id of the edge along which doubled cloth is folded, as the middle of a waistband: nothing is sewn there
+/// but another fold.
 inline constexpr char kFoldEdge[] = "fold";
 
 /// A closed line: the end of each edge is the start of the next, exactly.

@@ -201,7 +201,8 @@ CLI::App* add_project_new(CLI::App& project, ProjectNewOptions& options) {
           "wants, and likely ones (0.5) of pieces that nothing surer holds on")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  verb->add_flag("--no-seams", options.no_seams, "Take none: they are sewn by hand, in the document or on the page")
+  verb->add_flag("--no-seams", options.no_seams,
+                 "Take none: they are sewn by hand, in the document or on the page")
       ->excludes("--accept-seams");
   add_layer_option(*verb, options.layers);
   verb->add_flag("--json", options.json, "Print as JSON");

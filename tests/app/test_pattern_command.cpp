@@ -312,9 +312,9 @@ TEST(ProjectCommand, NewSetsTheBodyUprightAndToTheFront) {
   const fs::path sample = fs::path(TOILE_SOURCE_DIR) / "samples/skirt";
   const auto told = [&](const std::string& name, const std::function<Vec3(Vec3)>& turn) {
     write_text(folder / (name + ".obj"), turned_body(turn));
-    const Ran run = run_toile({"project", "new", "--pattern", sample / "skirt.dxf", "--body",
-                               folder / (name + ".obj"), "--out", folder / "made" / (name + ".json"),
-                               "--no-seams"});
+    const Ran run =
+        run_toile({"project", "new", "--pattern", sample / "skirt.dxf", "--body", folder / (name + ".obj"),
+                   "--out", folder / "made" / (name + ".json"), "--no-seams"});
     EXPECT_EQ(run.code, 0) << run.err;
     return std::pair{run.out, project::parse_project(text_of(folder / "made" / (name + ".json"))).value()};
   };

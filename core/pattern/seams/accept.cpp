@@ -72,6 +72,10 @@ std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const 
                          [&](const pattern::SeamEdge& e) { return of[e.panel] != 0; });
     };
     const bool wanted = any(loose);
+    if (std::any_of(edges.begin(), edges.end(), [&](const pattern::SeamEdge& e) {
+          return is_tied(words_of(pattern.panels[e.panel].id));
+        }))
+      continue;  // a garment is worn without a belt, and with it sewn on anywhere it is not
     if (sewn[i] || p.confidence < kLikely || taken.clashes(p.seam) || any(layers)) continue;
     if (!wanted && !taken.goes_on(p.seam) && !closes_leg(pattern, edges)) continue;
     sewn[i] = true;

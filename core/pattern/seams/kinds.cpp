@@ -104,6 +104,11 @@ bool is_fold_on_stand(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
          std::abs(a.length - b.length) < kPairWeights.fold_on_stand * a.length;
 }
 
+/// Whether the run is the outer edge of a collar that goes around its points or its round ends.
+bool is_outer_of_collar(const SeamModel& m, const SeamRun& run) {
+  return m.words[run.panel].kind == PieceKind::kCollar && run.turn.back() > kPairWeights.collar_bulges_deg;
+}
+
 /// Whether both pieces are known to be of one kind, which lie alike: or fronts and backs of a garment that
 /// names no kinds.
 bool is_named_alike(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
@@ -347,6 +352,9 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   if ((is_neck(ka) && kb == PieceKind::kTorso && closed_middle(b)) ||
       (is_neck(kb) && ka == PieceKind::kTorso && closed_middle(a)))
     return kPairWeights.not_middle;
+  if ((is_outer_of_collar(m, a) && kb == PieceKind::kTorso) ||
+      (is_outer_of_collar(m, b) && ka == PieceKind::kTorso))
+    return kPairWeights.never_meet;
   if ((is_neck(ka) && is_off_neck(m, b)) || (is_neck(kb) && is_off_neck(m, a)) || passes_stand(m, a, b) ||
       passes_stand(m, b, a))
     return kPairWeights.never_meet;

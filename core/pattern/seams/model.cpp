@@ -152,7 +152,8 @@ Vec2 up_of_yoke(const pattern::Panel& panel) {
   return grain_or_middle(panel);
 }
 
-/// Of a band that is folded: its fold lies above a waist and around a neck, below where it ends a limb or a top.
+/// Of a band that is folded: its fold lies above a waist and around a neck, below where it ends a limb or a
+/// top.
 std::optional<Vec2> up_from_fold(const pattern::Panel& panel, const PieceWords& words) {
   const bool ends = words.kind == PieceKind::kCuff || words.hem_band;
   if (!ends && words.kind != PieceKind::kBand && words.kind != PieceKind::kCollar) return std::nullopt;

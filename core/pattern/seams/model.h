@@ -29,10 +29,10 @@ struct SeamRun {
   std::array<Vec2, kSamples> at;                    ///< mm, evenly along it, ends included
   std::array<double, kSamples - 1> turn;  ///< degrees from its first chord, of each chord between samples
   double line_turn = 0;                   ///< degrees, of its whole edge and of those that go on from it
-  bool fold = false;  ///< of doubled cloth: nothing is sewn to it but the mirrored piece's
-  bool open_front = false;                ///< of a pair of fronts, from the middle round into the hem
-  bool straight = true;                   ///< drawn as a line: within 0.2 % of its length
-  std::vector<double> notches;            ///< mm from its start
+  bool fold = false;            ///< of doubled cloth: nothing is sewn to it but the mirrored piece's
+  bool open_front = false;      ///< of a pair of fronts, from the middle round into the hem
+  bool straight = true;         ///< drawn as a line: within 0.2 % of its length
+  std::vector<double> notches;  ///< mm from its start
 };
 
 /// Pieces of one kind and one name that numbers tell apart, as the gores of a skirt.

@@ -1,6 +1,7 @@
 #include "core/pattern/seams/moves.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace toile::seams {
@@ -9,9 +10,25 @@ namespace {
 constexpr double kWeakest = -1;              // a pair that is worth less is no candidate
 constexpr std::size_t kMostCandidates = 12;  // of a run
 
-/// Nothing is sewn to a fold but the one of the mirrored piece: bands along two fronts are buttoned there.
+/// Whether the run's piece is folded along an edge that is as long.
+bool is_along_fold(const SeamModel& m, const SeamRun& run) {
+  constexpr double kAsLong = 0.02;
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& fold) {
+    return fold.fold && fold.panel == run.panel && std::abs(fold.length - run.length) < kAsLong * run.length;
+  });
+}
+
+/// Nothing is sewn to a fold but the one of the mirrored piece, where both are as long as a front: bands
+/// along two fronts are buttoned there. One that goes on around the neck stays open. The other long edges of
+/// two such bands are for what they are sewn to.
 bool never_at_fold(const SeamModel& m, Index a, Index b) {
-  return (m.runs[a].fold || m.runs[b].fold) && m.mirror[a] != b;
+  constexpr double kAsLong = 0.01;
+  const bool twins = m.mirror[a] == b;
+  if (!m.runs[a].fold && !m.runs[b].fold) return twins && is_along_fold(m, m.runs[a]);
+  const double length = m.runs[a].length;
+  return !twins || std::none_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
+    return m.words[run.panel].kind == PieceKind::kTorso && std::abs(run.length - length) < kAsLong * length;
+  });
 }
 
 double best_of(const Candidate& c) { return std::max(c.merit[0], c.merit[1]); }

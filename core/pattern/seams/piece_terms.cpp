@@ -10,7 +10,8 @@ namespace {
 constexpr std::string_view kShortened =
     "pkt=pocket;wbnd=waistband;wband=waistband;clr=collar;fcg=facing;sf=side front;sb=side back;"
     "wstbnd=waistband;wstband=waistband;wst=waist;lnng=lining;intl=interlining;fus=fusible;"
-    "plkt=placket;plk=placket;yk=yoke;ctr front=front;ctr back=back;nk=neck;nkband=neckband;"
+    "nkb=neckband;cfb=cuff;hmb=hem band;wsb=waistband;clb=collar band;plkt=placket;plk=placket;yk=yoke;ctr "
+    "front=front;ctr back=back;nk=neck;nkband=neckband;"
     "nkbd=neckband;strp=strap;gst=gusset;sdft=side front;sdbk=side back;scrotch=gusset;pckt=pocket;"
     "pock=pocket;undslv=undersleeve;topslv=topsleeve;upslv=topsleeve;cuf=cuff;btm=bottom;"
     "bdy=body;bnd=band;bind=binding;bndg=binding;";
@@ -78,7 +79,8 @@ constexpr std::string_view kSpanishPortuguese =
     "colarinho=collar;capucha=hood;capuz=hood;puno=cuff;punho=cuff;pretina=waistband;"
     "cinturilla=waistband;cos=waistband;falda=skirt;saia=skirt;pantalones=pants;calca=pants;"
     "calcas=pants;pierna=leg;perna=leg;canesu=yoke;tirante=strap;volante=ruffle;bolsillo=pocket;"
-    "bolso=pocket;vista=facing;forro=lining;entretela=interlining;vestido=dress;camisa=shirt;"
+    "bolso=pocket;lazo=tie;lazos=tie;lazada=tie;vista=facing;forro=lining;entretela=interlining;vestido="
+    "dress;camisa=shirt;"
     "blusa=blouse;chaqueta=jacket;abrigo=coat;chaleco=vest;adelante=front;atras=back;posterior=back;"
     "anterior=front;dianteiro=front;dianteira=front;traseiro=back;traseira=back;tras=back;lado=side;"
     "talle=bodice;corpino=bodice;corpete=bodice;cuello pie=collar stand;pie cuello=collar stand;"
@@ -180,7 +182,7 @@ constexpr std::string_view kTurkish =
     "bel kemeri=waistband;bel bandi=waistband;bel ribana=waistband;etek ribana=hem rib;etek=skirt;"
     "pantolon=pants;tayt=leggings;roba=yoke;lastik=rib;aski=strap;firfir=ruffle;volan=ruffle;"
     "cep=pocket;cebi=pocket;cep torbasi=pocket;cep kapagi=flap;kapak=flap;astar=lining;"
-    "tela=interlining;pervaz=facing;pat=placket;patlet=fly;kopru=loop;kusak=belt;biye=binding;"
+    "pervaz=facing;pat=placket;patlet=fly;kopru=loop;kusak=belt;biye=binding;"
     "elbise=dress;gomlek=shirt;ceket=jacket;mont=coat;yelek=vest;kus=gusset;"
     "on sol=left front;on sag=right front;sol on=left front;sag on=right front;on ust=front;on alt=front "
     "skirt;"
@@ -348,6 +350,7 @@ constexpr PieceTerm kEndings[] = {{"armel", "sleeve"},
                                   {"tasche", "pocket"},
                                   {"taschenbeutel", "pocket"},
                                   {"beleg", "facing"},
+                                  {"besatz", "facing"},
                                   {"futter", "lining"},
                                   {"einlage", "interlining"},
                                   {"schlaufe", "loop"},

@@ -137,6 +137,10 @@ void tell_letter_pairs(const pattern::Pattern& pattern, std::vector<PieceWords>&
 
 }  // namespace
 
+bool is_tied(const PieceWords& words) {
+  return words.kind == PieceKind::kStrap && !words.over_shoulder && !words.layer;
+}
+
 bool is_neck(PieceKind kind) { return kind == PieceKind::kCollar || kind == PieceKind::kHood; }
 
 int hangs_from(PieceKind lower, PieceKind upper) {
@@ -200,6 +204,9 @@ PieceWords words_of(const std::string& name) {
     if (lies_on_cloth(w)) words.layer = true;
     if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
   }
+  // A "front band" goes up along the front and around the neck.
+  if (words.kind == PieceKind::kOther && std::find(all.begin(), all.end(), "band") != all.end())
+    words.face = 0;
   return words;
 }
 

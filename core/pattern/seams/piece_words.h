@@ -48,6 +48,9 @@ struct PieceWords {
   }
 };
 
+/// Whether the piece is a belt or a tie, which is knotted around the garment.
+bool is_tied(const PieceWords& words);
+
 /// Whether pieces of that kind go around the neck.
 bool is_neck(PieceKind kind);
 

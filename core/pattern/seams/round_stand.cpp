@@ -1,5 +1,7 @@
 #include "core/pattern/seams/round_stand.h"
 
+#include <algorithm>
+
 namespace toile::seams {
 namespace {
 
@@ -29,13 +31,18 @@ bool misses_round_stand(const SeamModel& model, const SeamRun& a, const SeamRun&
   return passes(model, a, b) || passes(model, b, a);
 }
 
-bool is_inner_of_collar(const SeamModel& model, const SeamRun& run) {
-  constexpr double kLong = 0.8;  // times as long as the run, so that it is the other long edge
-  for (const SeamRun& other : model.runs)
-    if (other.panel == run.panel && other.edge != run.edge && other.length > kLong * run.length &&
-        other.length < run.length)
-      return false;
-  return is_collar_on_stand(model.words[run.panel]);
+bool is_inner_of_collar(const SeamModel& model, const std::vector<Index>& runs) {
+  constexpr double kLong = 0.8;  // times as long, so that it is the other long edge
+  const SeamRun& run = model.runs[runs.front()];
+  const double length = whole_length(run);
+  const bool one_edge = std::all_of(runs.begin(), runs.end(), [&](Index r) {
+    return model.runs[r].panel == run.panel && model.runs[r].edge == run.edge;
+  });
+  const bool inner = std::none_of(model.runs.begin(), model.runs.end(), [&](const SeamRun& other) {
+    return other.panel == run.panel && other.edge != run.edge && whole_length(other) > kLong * length &&
+           whole_length(other) < length;
+  });
+  return one_edge && inner && is_collar_on_stand(model.words[run.panel]);
 }
 
 }  // namespace toile::seams

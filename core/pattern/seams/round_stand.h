@@ -1,6 +1,8 @@
 #pragma once
 // Stands of collars with round ends, whose upper edge goes on around the ends down to the neck.
 
+#include <vector>
+
 #include "core/pattern/seams/model.h"
 
 namespace toile::seams {
@@ -13,7 +15,7 @@ int round_stand_edge(const SeamModel& model, const SeamRun& run);
 /// length on the upper edge, which nothing else meets, and the lower one is the neck's.
 bool misses_round_stand(const SeamModel& model, const SeamRun& a, const SeamRun& b);
 
-/// Whether the collar's run is the one along which it sits on a stand: the shorter of its long edges.
-bool is_inner_of_collar(const SeamModel& model, const SeamRun& run);
+/// Whether the runs are the edge along which a collar sits on a stand, the shorter one of its long edges.
+bool is_inner_of_collar(const SeamModel& model, const std::vector<Index>& runs);
 
 }  // namespace toile::seams

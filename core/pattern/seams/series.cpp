@@ -159,13 +159,14 @@ bool is_collar_on_neck(const SeamModel& m, const Chain& collar, const Chain& nec
          is_symmetric(m, neck);
 }
 
-/// The least that lengths say where one chain is a neckband closed to a ring and the other a neck: bands of
-/// rib are stretched onto a longer one, and stands are longer by what their ends are buttoned over each
-/// other. Nothing where they are none.
+/// The least that lengths say where one chain is a neckband closed to a ring, or a stand with round ends, and
+/// the other a neck: bands of rib are stretched onto a longer one, and stands are longer by what their ends
+/// are buttoned over each other. Nothing where they are none.
 std::optional<double> band_on_neck(const SeamModel& m, const Chain& a, const Chain& b) {
   const auto is_band = [&](const Chain& chain) {
-    return chain.whole && chain.runs.size() == 1 && is_of(m, chain, PieceKind::kCollar) &&
-           m.words[m.runs[chain.runs.front()].panel].stand;
+    const SeamRun& run = m.runs[chain.runs.front()];
+    return chain.runs.size() == 1 && is_of(m, chain, PieceKind::kCollar) && m.words[run.panel].stand &&
+           (chain.whole || round_stand_edge(m, run) < 0);
   };
   const Chain &band = is_band(a) ? a : b, &neck = is_band(a) ? b : a;
   const bool collar = std::any_of(neck.runs.begin(), neck.runs.end(), [&](Index r) {
@@ -224,18 +225,17 @@ bool is_of_bodice(const SeamModel& m, const Chain& chain) {
 }
 
 /// How far the neck of a front that opens goes on beyond the ends of a collar, mm: by what the fronts are
-/// buttoned over each other; or the upper edge of a stand, whose ends are round. Nothing where that is no such
-/// collar.
+/// buttoned over each other; or the upper edge of a stand, whose ends are round. Nothing where that is no
+/// such collar.
 std::optional<double> beyond_collar(const SeamModel& m, const Chain& collar, const Chain& neck) {
   const double beyond = (neck.length - collar.length) / 2;
   if (beyond < kSeriesWeights.overlap_least_mm || beyond > kSeriesWeights.overlap_most_mm ||
-      collar.runs.size() != 1 || !is_of(m, collar, PieceKind::kCollar) || !is_symmetric(m, collar) ||
-      !is_symmetric(m, neck))
+      !is_of(m, collar, PieceKind::kCollar) || !is_symmetric(m, collar) || !is_symmetric(m, neck))
     return std::nullopt;
   if (std::all_of(neck.runs.begin(), neck.runs.end(),
                   [&](Index r) { return round_stand_edge(m, m.runs[r]) > 0; }))
-    return is_inner_of_collar(m, m.runs[collar.runs.front()]) ? std::optional(beyond) : std::nullopt;
-  if (neck.runs.size() < 3 || !is_of_bodice(m, neck)) return std::nullopt;
+    return is_inner_of_collar(m, collar.runs) ? std::optional(beyond) : std::nullopt;
+  if (collar.runs.size() != 1 || neck.runs.size() < 3 || !is_of_bodice(m, neck)) return std::nullopt;
   if (m.words[m.runs[collar.runs.front()].panel].stand) return std::nullopt;  // ribs are stretched on
   const Index front = m.runs[neck.runs.front()].panel, other = m.runs[neck.runs.back()].panel;
   const bool opens = front != other && m.twin[front] == other && m.words[front].face >= 0;
@@ -286,7 +286,7 @@ std::vector<Trial> trials_of(const SeamModel& m, const std::vector<Chain>& chain
       if (a.runs.size() + b.runs.size() < 3) continue;
       const double ratio = std::max(a.length, b.length) / std::min(a.length, b.length);
       if (ratio > (a.whole && b.whole ? kSeriesWeights.ratio_whole : kSeriesWeights.ratio) &&
-          !pleats_on_band(m, a, b))
+          !pleats_on_band(m, a, b) && !band_on_neck(m, a, b))
         continue;
       trials.push_back({i, j, series_merit(m, a, b), 0});
     }
@@ -377,6 +377,24 @@ bool holds(const Chain& chain, Index run) {
   return std::find(chain.runs.begin(), chain.runs.end(), run) != chain.runs.end();
 }
 
+/// The chain of `run` and of half of what it goes on along, where that is its own mirror image: a band that
+/// goes up a front is sewn on as far as the middle of the back's neck. Nothing where it is none.
+std::optional<Chain> with_half_of_next(const pattern::Pattern& pattern, FoundSeams& found, Chain chain,
+                                       Index run) {
+  const bool first = chain.runs.front() == run;
+  const Index next = first ? chain.runs.back() : chain.runs.front();
+  if (found.model.mirror[next] != next) return std::nullopt;
+  const double half = found.model.runs[next].length / 2;
+  const std::vector<Index> parts =
+      cut_chain(pattern, found.model, found.gluing, chain.runs, {first ? chain.length - half : half}, 0);
+  if (parts.size() != 3) return std::nullopt;
+  grow(found.gluing, found.model.runs.size());
+  chain.runs.assign(parts.begin() + (first ? 0 : 1), parts.end() - (first ? 1 : 0));
+  chain.length -= half;
+  chain.whole = false;
+  return chain;
+}
+
 /// The garment with that seam, whose lengths differ, sewn on along what goes on from its shorter side, so
 /// that they agree: a back's side with the yoke's above it. Nothing where nothing of that length goes on.
 std::optional<FoundSeams> sewn_further(const pattern::Pattern& pattern, const FoundSeams& found,
@@ -392,10 +410,19 @@ std::optional<FoundSeams> sewn_further(const pattern::Pattern& pattern, const Fo
     return chain.runs.size() == 1 && chain.runs[0] == longer;
   });
   if (one == chains.end()) return std::nullopt;
+  const auto agrees = [&](const Chain& chain) {
+    return std::abs(chain.length - one->length) <= kSeriesWeights.further_mm;
+  };
   for (const Chain& chain : chains) {
-    const bool goes_on = chain.runs.size() == 2 && holds(chain, shorter) && !overlap(chain, *one);
-    if (!goes_on || std::abs(chain.length - one->length) > kSeriesWeights.further_mm) continue;
-    if (auto next = with_series(pattern, without, chain, *one, series_merit(m, chain, *one))) return next;
+    if (chain.runs.size() != 2 || !holds(chain, shorter) || overlap(chain, *one)) continue;
+    if (agrees(chain)) {
+      if (auto next = with_series(pattern, without, chain, *one, series_merit(m, chain, *one))) return next;
+      continue;
+    }
+    FoundSeams cut{without.model, without.gluing, without.seams};
+    const std::optional<Chain> half = with_half_of_next(pattern, cut, chain, shorter);
+    if (!half || !agrees(*half)) continue;
+    if (auto next = with_series(pattern, cut, *half, *one, series_merit(cut.model, *half, *one))) return next;
   }
   return std::nullopt;
 }

@@ -160,6 +160,7 @@ struct PairWeights {
   double twin_hollow_face = -6;     ///< … and a hollow one all the more
   double collar_long = -6;          ///< pieces of a collar do not meet along an edge …
   double collar_end = 0.28;         ///< … of more than this share of their outline
+  double collar_bulges_deg = 75;    ///< a collar edge that turns more outwards is its outer one
   double fold_on_stand = 0.004;     ///< … but for a collar on its stand, where lengths differ by less
   double twin_crotch = 3;           ///< legs meet along a hollow …
   double twin_leg_side = -8;        ///< … and not along what begins at their hems

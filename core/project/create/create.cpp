@@ -92,8 +92,11 @@ std::string unused_id(const std::string& wanted, std::set<std::string>& used) {
 void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int count, int mirrored,
                     bool filled, const dxf::DxfDrawing& drawing, const NewProjectSettings& settings,
                     std::set<std::string>& used, NewProject& made, std::vector<char>& clockwise) {
-  // More than a pair of a piece that is its own image are gores, which stand in a row.
-  const bool row = count > 2 && pattern::is_own_mirror(panel.outline);
+  // More than a pair of a piece that is its own image are gores, which stand in a row; of a cuff or a collar
+  // they are its layers.
+  const seams::PieceKind kind = seams::words_of(drawn.name).kind;
+  const bool layers = kind == seams::PieceKind::kCuff || kind == seams::PieceKind::kCollar;
+  const bool row = count > 2 && !layers && pattern::is_own_mirror(panel.outline);
   for (int k = 0; k < count; ++k) {
     const bool over = !row && k >= count - mirrored;
     pattern::Panel copy = over ? turned_over(panel, "") : panel;
@@ -164,8 +167,9 @@ void fold_back(CutPieces& cut) {
     if (!pattern::validate(rest)) continue;
     cut.panels[p] = std::move(rest);
     cut.filled[p] = 1;
-    cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[p].id) +
-                                " is folded along a line that is drawn across it: what is folded back is cut off");
+    cut.drawing.notes.push_back(
+        "piece " + in_quotes(cut.panels[p].id) +
+        " is folded along a line that is drawn across it: what is folded back is cut off");
   }
 }
 

@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kChords = 0.05;         // mm, chords from curves
 constexpr double kLineLeaves = 0.5;      // mm, that the line's vertices leave it
-constexpr double kShort = 3;           // mm that the line may end before the outline …
-constexpr double kBeyond = 40;         // … and beyond it, in the allowance
-constexpr double kFits = 2.5;          // mm that what is folded back may look out
-constexpr double kMostHalf = 110;      // mm, of a strip's width when it is folded
-constexpr double kLeastLong = 2;       // times as long as wide is half a strip …
-constexpr double kLeastFull = 0.85;    // … and fills its box
+constexpr double kShort = 3;             // mm that the line may end before the outline …
+constexpr double kBeyond = 40;           // … and beyond it, in the allowance
+constexpr double kFits = 2.5;            // mm that what is folded back may look out
+constexpr double kMostHalf = 110;        // mm, of a strip's width when it is folded
+constexpr double kLeastLong = 2;         // times as long as wide is half a strip …
+constexpr double kLeastFull = 0.85;      // … and fills its box
 constexpr double kFacing[] = {28, 130};  // mm, breadth of a facing that is cut on
 constexpr double kFacingLong = 2.5;      // times its breadth
 constexpr double kMostFacing = 0.45;     // of the area that stays
@@ -32,12 +32,13 @@ std::optional<FoldLine> across(const std::vector<Vec2>& line, const std::vector<
   const double long_as = length(chord);
   if (long_as < 1 || !geometry::is_flat(line, kLineLeaves)) return std::nullopt;
   const Vec2 along = normalized(chord);
-  const Vec2 a = line.front() - kShort * along, b = line.back() + kShort * along;
   double first = HUGE_VAL, last = -HUGE_VAL;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const auto hit = geometry::segment_intersection(a, b, outline[i], outline[(i + 1) % outline.size()]);
-    if (!hit) continue;
-    const double at = dot(*hit - line.front(), along);
+    const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    const double sa = cross(along, a - line.front()), sb = cross(along, b - line.front());
+    if ((sa < 0) == (sb < 0)) continue;  // so that one through a corner is met once
+    const double at = dot(a + sa / (sa - sb) * (b - a) - line.front(), along);
+    if (at < -kShort || at > long_as + kShort) continue;
     first = std::min(first, at);
     last = std::max(last, at);
   }
@@ -95,10 +96,9 @@ bool ends_with(const std::vector<Vec2>& part, const std::vector<Vec2>& rest, con
 FoldLine turned(const FoldLine& fold) { return {fold.to, fold.from, fold.halves}; }
 
 std::size_t notches_left_of(const pattern::Panel& panel, const FoldLine& fold) {
-  return static_cast<std::size_t>(
-      std::count_if(panel.notches.begin(), panel.notches.end(), [&](const pattern::Notch& notch) {
-        return cross(fold.to - fold.from, notch.at - fold.from) > 0;
-      }));
+  return static_cast<std::size_t>(std::count_if(
+      panel.notches.begin(), panel.notches.end(),
+      [&](const pattern::Notch& notch) { return cross(fold.to - fold.from, notch.at - fold.from) > 0; }));
 }
 
 bool is_doubled_strip(const seams::PieceWords& words, const std::vector<Vec2>& half, const FoldLine& fold) {
@@ -111,9 +111,11 @@ bool is_doubled_strip(const seams::PieceWords& words, const std::vector<Vec2>& h
          std::abs(geometry::signed_area(half)) >= kLeastFull * wide * long_as;
 }
 
-bool is_facing_cut_on(const pattern::Panel& panel, const seams::PieceWords& words, const std::vector<Vec2>& part,
-               const std::vector<Vec2>& rest, const FoldLine& fold) {
-  if (words.kind != seams::PieceKind::kTorso || words.face < 0) return false;
+bool is_facing_cut_on(const pattern::Panel& panel, const seams::PieceWords& words,
+                      const std::vector<Vec2>& part, const std::vector<Vec2>& rest, const FoldLine& fold) {
+  using enum seams::PieceKind;
+  const bool front = (words.kind == kSkirt || words.kind == kOther) && words.face > 0;
+  if (words.face < 0 || !(front || words.kind == kTorso)) return false;
   const double wide = breadth_of(part, fold), long_as = length(fold.to - fold.from);
   return wide >= kFacing[0] && wide <= kFacing[1] && long_as >= kFacingLong * wide &&
          std::abs(dot(normalized(fold.to - fold.from), panel.grain)) >= kAlongGrain &&
@@ -139,8 +141,11 @@ std::optional<FoldLine> fold_line(const pattern::Panel& panel, const seams::Piec
     }
     if (!lies_on(part, rest, fold)) continue;
     fold.halves = lies_on(rest, part, fold);
-    if (fold.halves ? !is_doubled_strip(words, part, fold) : !is_facing_cut_on(panel, words, part, rest, fold)) continue;
-    if (fold.halves && notches_left_of(panel, turned(fold)) > notches_left_of(panel, fold)) fold = turned(fold);
+    if (fold.halves ? !is_doubled_strip(words, part, fold)
+                    : !is_facing_cut_on(panel, words, part, rest, fold))
+      continue;
+    if (fold.halves && notches_left_of(panel, turned(fold)) > notches_left_of(panel, fold))
+      fold = turned(fold);
     // The outermost of a facing's lines is where it is folded; the one after it may be the middle.
     if (const double breadth = breadth_of(part, fold); breadth < best_breadth) {
       best = fold;

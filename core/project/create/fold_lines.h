@@ -1,6 +1,6 @@
 #pragma once
-// Lines along which a piece is folded back: the middle of a waistband, and the edge of a facing that is cut on.
-// The garment shows, and its seams meet, what is left when it is folded.
+// Lines along which a piece is folded back: the middle of a waistband, and the edge of a facing that is cut
+// on. The garment shows, and its seams meet, what is left when it is folded.
 
 #include <optional>
 
@@ -15,10 +15,10 @@ struct FoldLine {
   bool halves = false;  ///< a strip's middle: nothing is sewn there, as it may be to the edge of a front
 };
 
-/// The line of the piece, drawn from outline to outline, along which a part of it is folded back onto the rest
-/// and then lies within it, ending where it ends: a strip's middle, of whichever halves the one with more
-/// notches stays, or, along the grain, the border of a front's facing. Lines that a facing could not be as
-/// narrow as (28 mm) are the middle of a front that laps over. REQUIRES a panel that validate() accepts.
+/// The line of the piece, drawn from outline to outline, along which a part of it is folded back onto the
+/// rest and then lies within it, ending where it ends: a strip's middle, of whichever halves the one with
+/// more notches stays, or, along the grain, the border of a front's facing. Lines that a facing could not be
+/// as narrow as (28 mm) are the middle of a front that laps over. REQUIRES a panel that validate() accepts.
 std::optional<FoldLine> fold_line(const pattern::Panel& panel, const seams::PieceWords& words);
 
 /// What stays of the piece, its edges numbered anew. The fold is the last, of a strip as pattern::kFoldEdge.

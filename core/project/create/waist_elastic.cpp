@@ -6,6 +6,7 @@
 
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/model.h"
+#include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::create {
@@ -18,7 +19,8 @@ constexpr double kBandFactor =
     0.45;  // of a casing sewn on, which is stiffer: it gathers less than it is asked to
 constexpr double kHipBelow = 180;     // mm from the waist
 constexpr double kAsWide = 0.88;      // times as wide as there: less is a shaped waist …
-constexpr double kStraight = 0.95;    // … and this where a band tells that it may be
+constexpr double kStraight = 0.95;    // … and this where a band tells that it may be …
+constexpr double kNoOpening = 0.9;    // … but this again where nothing else lets the hip pass it
 constexpr double kCasingFits = 0.03;  // share that a casing is longer or shorter: bands lap over
 
 bool is_lower(const seams::PieceWords& words) {
@@ -108,14 +110,29 @@ project::ProjectElastic elastic_along(const pattern::Panel& panel, const std::ve
   return elastic;
 }
 
+/// Whether a dart shapes the waist, or a fly, a zip or an underlap opens it.
+bool opens_or_is_shaped(const pattern::Pattern& pattern, const std::vector<pattern::Seam>& sewn) {
+  const bool dart = std::any_of(sewn.begin(), sewn.end(), [](const pattern::Seam& seam) {
+    return seam.a.size() == 1 && seam.b.size() == 1 && seam.a[0].panel == seam.b[0].panel &&
+           std::abs(seam.a[0].edge - seam.b[0].edge) == 1;
+  });
+  return dart || std::any_of(pattern.panels.begin(), pattern.panels.end(), [](const pattern::Panel& panel) {
+           const std::vector<std::string> words = seams::words_of_piece(panel.id);
+           return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+             return word == "fly" || word == "zip" || word == "zipper" || word == "placket";
+           });
+         });
+}
+
 /// The elastic of a casing: a strip as long as what hangs from it, which is not shaped to a waist.
 std::vector<project::ProjectElastic> casing_elastic(const pattern::Pattern& pattern,
                                                     const seams::SeamModel& m, Index band,
                                                     const std::vector<pattern::Seam>& sewn) {
   double below = 0;
+  const double straight = opens_or_is_shaped(pattern, sewn) ? kStraight : kNoOpening;
   for (Index p = 0; p < static_cast<Index>(pattern.panels.size()); ++p) {
     if (!is_lower(m.words[p]) || m.words[p].layer || m.level[p] > 0) continue;
-    const std::optional<UpperEdges> upper = upper_edges(m, p, kStraight);
+    const std::optional<UpperEdges> upper = upper_edges(m, p, straight);
     if (!upper) return {};
     below += upper->length;
   }

@@ -68,6 +68,19 @@ TEST(WornPart, KeepsASecondGarment) {
   EXPECT_TRUE(drape::worn_part(test::heap_of(both)).left_out.empty());
 }
 
+TEST(WornPart, ABeltIsKnottedAndNotMissing) {
+  drape::DrapeInput input = test::heap_of(test::shirt());
+  add_piece(input, "Belt");
+  const drape::DrapeInput worn = drape::worn_part(input);
+  ASSERT_EQ(worn.left_out.size(), 1U);
+  EXPECT_TRUE(worn.left_out[0].tied);
+  preflight::Findings findings;
+  drape::tell_left_out(worn, findings);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].severity, preflight::Severity::kNote);
+  EXPECT_NE(findings[0].message.find("knotted"), std::string::npos) << findings[0].message;
+}
+
 /// A shirt whose sleeves are sewn to themselves alone.
 pattern::Pattern without_caps() {
   pattern::Pattern shirt = test::shirt();

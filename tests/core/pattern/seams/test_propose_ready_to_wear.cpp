@@ -176,8 +176,7 @@ TEST(ReadyToWear, ACollarSitsInTheMiddleOfAStandWithRoundEnds) {
   const double neck = garments::length_of(back, 4) + 2 * garments::length_of(half_front, 4);
   const pattern::Panel stand = round_stand(neck);
   const double sits = garments::length_of(stand, 1) - 60;
-  const pattern::Panel collar =
-      piece("Collar", {{0, 0}, {sits, 0}, {sits + 16, 65}, {-16, 65}});
+  const pattern::Panel collar = piece("Collar", {{0, 0}, {sits, 0}, {sits + 16, 65}, {-16, 65}});
   const Panels panels{half_front, mirrored(half_front, "Front_mirrored"), back, stand, collar};
   const WornSeams worn(panels);
   EXPECT_TRUE(worn.has({"Collar.e0"}, {"Collar Stand.e1"})) << worn.text();
@@ -198,6 +197,41 @@ TEST(ReadyToWear, NothingIsSewnToAFoldButTheOtherFrontsBand) {
   pattern::Panel cuff = strip("Cuff", 215, 60);
   cuff.outline.edges[2].id = pattern::kFoldEdge;
   EXPECT_LT(seams::make_seam_model({{cuff}, {}}).up[0].y, -0.9) << "a cuff's below";
+}
+
+TEST(ReadyToWear, AFrontBandIsNoFrontAndKeepsTheNeckOpen) {
+  pattern::Panel band = strip("FRONT BAND", 725, 65);
+  band.outline.edges[2].id = pattern::kFoldEdge;
+  const Panels panels{plain_top("Front", 520), plain_top("Back", 600), band,
+                      mirrored(band, "FRONT BAND_mirrored")};
+  const auto words = words_of(panels);
+  EXPECT_EQ(words[2].face, 0);
+  EXPECT_EQ(words[2].kind, PieceKind::kOther);
+  const WornSeams worn(panels);
+  EXPECT_FALSE(worn.has({"FRONT BAND.fold"}, {"FRONT BAND_mirrored.fold"})) << worn.text();
+  EXPECT_FALSE(worn.has({"FRONT BAND.e0"}, {"FRONT BAND_mirrored.e0"})) << worn.text();
+}
+
+TEST(ReadyToWear, TheRoundEdgeOfAFlatCollarIsItsOuterOne) {
+  const pattern::Panel half = piece(
+      "Collar", {{0, 0}, {0, 50, Vec2{-130, 50}, Vec2{-190, -20}}, {-110, -70, Vec2{-100, 0}, Vec2{-60, 0}}});
+  const seams::SeamModel m = seams::make_seam_model({{half, plain_top("Back", 600)}, {}});
+  ASSERT_GT(m.runs[1].turn.back(), 75) << "around its end";
+  EXPECT_TRUE(seams::never_sewn(m, 1, 3 + 4)) << "to the neck";
+  EXPECT_FALSE(seams::never_sewn(m, 2, 3 + 4));
+}
+
+TEST(ReadyToWear, BandsAndBeltsBySeveralNames) {
+  const auto words =
+      words_of({plain_top("ST204-FRT", 520), plain_top("ST204-BCK", 600), strip("ST204-NKB", 460, 40),
+                strip("ST204-CFB", 170, 140), strip("ST204-HMB", 820, 120), strip("Schlitzbesatz", 50, 200),
+                strip("Lazo", 850, 80), strip("Belt loop", 100, 30)});
+  EXPECT_TRUE(words[2].kind == PieceKind::kCollar && words[2].stand);
+  EXPECT_EQ(words[3].kind, PieceKind::kCuff);
+  EXPECT_TRUE(words[4].hem_band);
+  EXPECT_TRUE(words[5].layer) << "a facing";
+  EXPECT_TRUE(seams::is_tied(words[6]));
+  EXPECT_FALSE(seams::is_tied(words[7]));
 }
 
 }  // namespace

@@ -345,6 +345,33 @@ TEST(ProjectNew, ABandAsLongAsAWideWaistIsACasing) {
   EXPECT_EQ(made->project.elastics[0].lines.size(), 1u) << "the free one of its long edges";
 }
 
+TEST(ProjectNew, WithoutAnOpeningAWaistThatIsShapedALittleIsPulledOnToo) {
+  std::vector<pattern::Panel> banded = pyjamas(280);  // 93 % of the hip
+  banded.push_back(garments::piece("Waistband", {{0, 0}, {1120, 0}, {1120, 40}, {0, 40}}));
+  const auto elastics = [](const std::vector<pattern::Panel>& panels) {
+    return create::new_project(drawing_of(panels), settings(0.8))->project.elastics.size();
+  };
+  EXPECT_EQ(elastics(banded), 1u);
+  banded.push_back(garments::piece("Fly facing", {{0, 0}, {50, 0}, {50, 170}, {0, 170}}));
+  EXPECT_EQ(elastics(banded), 0u) << "it has a zip";
+}
+
+TEST(ProjectNew, MoreThanAPairOfACuffAreItsLayers) {
+  dxf::DxfDrawing drawing =
+      dxf::read_dxf(drawing_of({garments::piece("Cuff", {{0, 0}, {240, 0}, {240, 60}, {0, 60}}),
+                                garments::piece("Gore", {{0, 0}, {240, 0}, {240, 600}, {0, 600}})}))
+          .value();
+  for (dxf::DxfPiece& piece : drawing.pieces) {
+    piece.quantity = 4;
+    piece.mirrored = 2;
+  }
+  const auto made = create::new_project(drawing, settings());
+  std::vector<std::string> names;
+  for (const project::ProjectPiece& piece : made->project.pieces) names.push_back(piece.id);
+  EXPECT_EQ(names, (std::vector<std::string>{"Cuff", "Cuff_2", "Cuff_mirrored", "Cuff_mirrored_2", "Gore_1",
+                                             "Gore_2", "Gore_3", "Gore_4"}));
+}
+
 /// Right half of trousers' front, cut away at a pocket between its side (so high, mm) and its waist.
 pattern::Panel slashed_front(double side) {
   return garments::piece(

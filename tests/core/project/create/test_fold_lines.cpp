@@ -26,8 +26,8 @@ std::optional<create::FoldLine> fold_of(const pattern::Panel& panel) {
   return create::fold_line(panel, seams::words_of(panel.id));
 }
 
-/// A front with a facing 60 mm broad right of x = 190, whose end above goes on to `top`: at 536 it is the neck
-/// mirrored.
+/// A front with a facing 60 mm broad right of x = 190, whose end above goes on to `top`: at 536 it is the
+/// neck mirrored.
 pattern::Panel front_with_facing(const std::string& name, double top) {
   return garments::piece(name, {{0, 0}, {250, 0}, {250, top}, {190, 500}, {90, 560}, {0, 540}});
 }
@@ -97,9 +97,18 @@ TEST(FoldLines, AFacingCutOnIsFoldedBackAndItsLineMayBeSewn) {
   EXPECT_NEAR(garments::length_of(rest, 4), 500, 0.1);
 }
 
+TEST(FoldLines, ASkirtThatWrapsHasOneToo) {
+  // The waist is level in the facing, so that a corner lies where it is folded.
+  const pattern::Panel front = with_lines(
+      garments::piece("Front", {{0, 0}, {430, 0}, {380, 690}, {110, 684}, {50, 684}, {-10, 684}, {-10, 0}}),
+      {{{50, 684}, {50, 0}}});
+  EXPECT_TRUE(fold_of(front));
+}
+
 TEST(FoldLines, WhatDoesNotEndWhereTheFrontDoesIsNoFacing) {
   const Lines line{{{190, 0}, {190, 500}}};
-  EXPECT_FALSE(fold_of(with_lines(front_with_facing("Front bodice", 500), line))) << "a corner that looks out below it";
+  EXPECT_FALSE(fold_of(with_lines(front_with_facing("Front bodice", 500), line)))
+      << "a corner that looks out below it";
   EXPECT_FALSE(fold_of(with_lines(front_with_facing("Back bodice", 536), line))) << "a back opens seldom";
   EXPECT_FALSE(fold_of(with_lines(front_with_facing("Front bodice", 536), {{{230, 0}, {230, 527}}})))
       << "20 mm that lap over";
