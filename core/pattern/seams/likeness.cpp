@@ -11,7 +11,8 @@ namespace {
 /// Whether run i of a, turned over, is run j of b, with its corners.
 bool mirrors(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
-  if (!equally_long(a.length, b.length) || std::abs(a.angle - m.runs[b.next].angle) > 2) return false;
+  if (!equally_long(a.length, b.length) || std::abs(a.angle - m.runs[b.next].angle) > 2 || a.fold != b.fold)
+    return false;
   for (std::size_t k = 0; k + 1 < SeamRun::kSamples; ++k) {
     const double seen_back = b.turn[SeamRun::kSamples - 2] - b.turn[SeamRun::kSamples - 2 - k];
     if (std::abs(a.turn[k] - seen_back) > 4) return false;
@@ -87,7 +88,7 @@ void find_counterparts(SeamModel& m, Index p, Index q) {
 /// Whether run i of a is run j of b, with its corners.
 bool is_same(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
-  if (!equally_long(a.length, b.length) || std::abs(a.angle - b.angle) > 2) return false;
+  if (!equally_long(a.length, b.length) || std::abs(a.angle - b.angle) > 2 || a.fold != b.fold) return false;
   for (std::size_t k = 0; k + 1 < SeamRun::kSamples; ++k)
     if (std::abs(a.turn[k] - b.turn[k]) > 4) return false;
   return true;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/pattern/seams/armholes.h"
+#include "core/pattern/seams/folds.h"
 #include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/kinds.h"
 #include "core/pattern/seams/shapes.h"
@@ -139,7 +140,7 @@ double length_merit(double a, double b) {
 
 bool never_sewn(const SeamModel& m, Index i, Index j) {
   const SeamRun &a = m.runs[i], &b = m.runs[j];
-  return stays_open(m, a, b) || is_of_vent(m, i, j) ||
+  return stays_open(m, a, b) || is_of_vent(m, i, j) || never_at_fold(m, a, b) ||
          kind_merit(m, a, b, told_to_hang(m, a, b)) <= kPairWeights.never_meet;
 }
 

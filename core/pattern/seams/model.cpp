@@ -275,6 +275,8 @@ void find_line_turns(SeamModel& m) {
 
 }  // namespace
 
+double edge_length(const SeamRun& run) { return run.length / (run.to - run.from); }
+
 std::vector<Index> first_runs(const pattern::Pattern& pattern) {
   std::vector<Index> first{0};
   for (const pattern::Panel& panel : pattern.panels)

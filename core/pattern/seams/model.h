@@ -77,6 +77,9 @@ struct SeamModel {
   std::vector<double> girth;  ///< mm, length of each outline
 };
 
+/// mm, of the whole edge that the run is of.
+double edge_length(const SeamRun& run);
+
 /// The first run of each panel, and after the last one's: runs of uncut outlines are counted panel after
 /// panel.
 std::vector<Index> first_runs(const pattern::Pattern& pattern);

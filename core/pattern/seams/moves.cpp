@@ -1,35 +1,15 @@
 #include "core/pattern/seams/moves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "core/pattern/seams/folds.h"
 
 namespace toile::seams {
 namespace {
 
 constexpr double kWeakest = -1;              // a pair that is worth less is no candidate
 constexpr std::size_t kMostCandidates = 12;  // of a run
-
-/// Whether the run's piece is folded along an edge that is as long.
-bool is_along_fold(const SeamModel& m, const SeamRun& run) {
-  constexpr double kAsLong = 0.02;
-  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& fold) {
-    return fold.fold && fold.panel == run.panel && std::abs(fold.length - run.length) < kAsLong * run.length;
-  });
-}
-
-/// Nothing is sewn to a fold but the one of the mirrored piece, where both are as long as a front: bands
-/// along two fronts are buttoned there. One that goes on around the neck stays open. The other long edges of
-/// two such bands are for what they are sewn to.
-bool never_at_fold(const SeamModel& m, Index a, Index b) {
-  constexpr double kAsLong = 0.01;
-  const bool twins = m.mirror[a] == b;
-  if (!m.runs[a].fold && !m.runs[b].fold) return twins && is_along_fold(m, m.runs[a]);
-  const double length = m.runs[a].length;
-  return !twins || std::none_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-    return m.words[run.panel].kind == PieceKind::kTorso && std::abs(run.length - length) < kAsLong * length;
-  });
-}
 
 double best_of(const Candidate& c) { return std::max(c.merit[0], c.merit[1]); }
 
@@ -38,7 +18,7 @@ std::vector<Candidate> candidates_of(const SeamModel& m, const std::vector<char>
   std::vector<Candidate> all;
   if (locked[a]) return all;
   for (Index b = 0; b < static_cast<Index>(m.runs.size()); ++b) {
-    if (b == a || locked[b] || never_at_fold(m, a, b)) continue;
+    if (b == a || locked[b] || never_at_fold(m, m.runs[a], m.runs[b])) continue;
     const Candidate c{b, pair_merit(m, a, b)};
     if (best_of(c) > kWeakest) all.push_back(c);
   }

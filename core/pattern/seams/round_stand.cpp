@@ -5,8 +5,6 @@
 namespace toile::seams {
 namespace {
 
-double whole_length(const SeamRun& run) { return run.length / (run.to - run.from); }
-
 bool is_collar_on_stand(const PieceWords& words) {
   return words.kind == PieceKind::kCollar && !words.stand && !words.layer;
 }
@@ -15,7 +13,7 @@ bool passes(const SeamModel& model, const SeamRun& stand, const SeamRun& other) 
   constexpr double kEnd = 0.25;  // of its outline at most is an end of a collar
   const int edge = round_stand_edge(model, stand);
   const bool collar = is_collar_on_stand(model.words[other.panel]);
-  if (edge > 0 && collar) return whole_length(other) < kEnd * model.girth[other.panel];
+  if (edge > 0 && collar) return edge_length(other) < kEnd * model.girth[other.panel];
   return edge != 0 && collar != (edge > 0);
 }
 
@@ -24,7 +22,7 @@ bool passes(const SeamModel& model, const SeamRun& stand, const SeamRun& other) 
 int round_stand_edge(const SeamModel& model, const SeamRun& run) {
   const PieceWords& words = model.words[run.panel];
   if (words.kind != PieceKind::kCollar || !words.stand || model.lines[run.panel] != 2) return 0;
-  return whole_length(run) > model.girth[run.panel] / 2 ? 1 : -1;
+  return edge_length(run) > model.girth[run.panel] / 2 ? 1 : -1;
 }
 
 bool misses_round_stand(const SeamModel& model, const SeamRun& a, const SeamRun& b) {
@@ -34,13 +32,13 @@ bool misses_round_stand(const SeamModel& model, const SeamRun& a, const SeamRun&
 bool is_inner_of_collar(const SeamModel& model, const std::vector<Index>& runs) {
   constexpr double kLong = 0.8;  // times as long, so that it is the other long edge
   const SeamRun& run = model.runs[runs.front()];
-  const double length = whole_length(run);
+  const double length = edge_length(run);
   const bool one_edge = std::all_of(runs.begin(), runs.end(), [&](Index r) {
     return model.runs[r].panel == run.panel && model.runs[r].edge == run.edge;
   });
   const bool inner = std::none_of(model.runs.begin(), model.runs.end(), [&](const SeamRun& other) {
-    return other.panel == run.panel && other.edge != run.edge && whole_length(other) > kLong * length &&
-           whole_length(other) < length;
+    return other.panel == run.panel && other.edge != run.edge && edge_length(other) > kLong * length &&
+           edge_length(other) < length;
   });
   return one_edge && inner && is_collar_on_stand(model.words[run.panel]);
 }

@@ -113,9 +113,8 @@ bool is_doubled_strip(const seams::PieceWords& words, const std::vector<Vec2>& h
 
 bool is_facing_cut_on(const pattern::Panel& panel, const seams::PieceWords& words,
                       const std::vector<Vec2>& part, const std::vector<Vec2>& rest, const FoldLine& fold) {
-  using enum seams::PieceKind;
-  const bool front = (words.kind == kSkirt || words.kind == kOther) && words.face > 0;
-  if (words.face < 0 || !(front || words.kind == kTorso)) return false;
+  // Pleats of a skirt are drawn so as well.
+  if (words.kind != seams::PieceKind::kTorso || words.face < 0) return false;
   const double wide = breadth_of(part, fold), long_as = length(fold.to - fold.from);
   return wide >= kFacing[0] && wide <= kFacing[1] && long_as >= kFacingLong * wide &&
          std::abs(dot(normalized(fold.to - fold.from), panel.grain)) >= kAlongGrain &&

@@ -17,8 +17,8 @@ struct FoldLine {
 
 /// The line of the piece, drawn from outline to outline, along which a part of it is folded back onto the
 /// rest and then lies within it, ending where it ends: a strip's middle, of whichever halves the one with
-/// more notches stays, or, along the grain, the border of a front's facing. Lines that a facing could not be
-/// as narrow as (28 mm) are the middle of a front that laps over. REQUIRES a panel that validate() accepts.
+/// more notches stays, or, along the grain, the border of a front's facing. A narrower strip than 28 mm is no
+/// facing, but what laps over beyond the middle of a front. REQUIRES a panel that validate() accepts.
 std::optional<FoldLine> fold_line(const pattern::Panel& panel, const seams::PieceWords& words);
 
 /// What stays of the piece, its edges numbered anew. The fold is the last, of a strip as pattern::kFoldEdge.

@@ -97,11 +97,17 @@ TEST(FoldLines, AFacingCutOnIsFoldedBackAndItsLineMayBeSewn) {
   EXPECT_NEAR(garments::length_of(rest, 4), 500, 0.1);
 }
 
-TEST(FoldLines, ASkirtThatWrapsHasOneToo) {
-  // The waist is level in the facing, so that a corner lies where it is folded.
+TEST(FoldLines, PleatsAreNoFacing) {
+  const Lines pleats{{{35, 0}, {35, 730}}, {{120, 0}, {120, 730}}, {{205, 0}, {205, 730}}};
+  EXPECT_FALSE(fold_of(with_lines(garments::strip("Skirt front", 792, 730), pleats)));
+}
+
+TEST(FoldLines, ALineMayBeginAtACornerOfTheOutline) {
+  // The neck is level in the facing, so that a corner lies where it is folded.
   const pattern::Panel front = with_lines(
-      garments::piece("Front", {{0, 0}, {430, 0}, {380, 690}, {110, 684}, {50, 684}, {-10, 684}, {-10, 0}}),
-      {{{50, 684}, {50, 0}}});
+      garments::piece("Front bodice",
+                      {{0, 0}, {250, 0}, {250, 500}, {190, 500}, {130, 500}, {60, 560}, {0, 540}}),
+      {{{190, 500}, {190, 0}}});
   EXPECT_TRUE(fold_of(front));
 }
 
