@@ -72,7 +72,7 @@ double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sl
                     m.twin[torso.panel] == torso.panel && torso.mirror_edge == torso.edge;
   const bool from_hem = begins_at_hem(m, torso) && torso.from == 0 && torso.to == 1;
   const bool hem = m.upright[torso.panel] && torso.up < -kPairWeights.facing && !is_below_arm(m, torso);
-  if (wrist || neck || hem || from_hem) return kPairWeights.never_meet;
+  if (wrist || neck || hem || from_hem || is_neckline(m, torso)) return kPairWeights.never_meet;
   const bool dropped = is_dropped(m, torso, sleeve);
   if (dropped) return kPairWeights.armhole + kPairWeights.cap;
   const bool hollow =

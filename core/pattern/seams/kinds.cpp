@@ -308,9 +308,18 @@ bool is_too_tight(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
          (m.girth[a.panel] - a.length - b.length) / 2 < kPairWeights.least_ring_mm;
 }
 
+/// Whether one half of a waistband would be closed to a ring of its own: its ends are the other half's.
+bool closes_half_band(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords& words = m.words[a.panel];
+  return a.panel == b.panel && words.kind == PieceKind::kBand && words.side != 0 && !words.limb &&
+         !words.leg && m.twin[a.panel] != kNone && m.twin[a.panel] != a.panel;
+}
+
 /// Whether no garment has the two runs sewn to each other, whatever else it is.
 bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b) || misses_round_stand(m, a, b)) return true;
+  if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b) || closes_half_band(m, a, b) ||
+      misses_round_stand(m, a, b))
+    return true;
   if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))
     return true;
   const bool shuts_hood = m.twin[a.panel] == b.panel && is_face_of_hood(m, a) && is_face_of_hood(m, b);

@@ -44,11 +44,15 @@ std::size_t worn_bands(const SeamModel& m, Index panel) {
   return goes_around(m, longest) && !goes_around(m, 2 * longest) ? 1 : 0;
 }
 
+/// Whether it is faced with its own cloth.
+bool is_faced(const PieceWords& words) {
+  return words.kind == PieceKind::kCollar || words.kind == PieceKind::kHood || words.yoke;
+}
+
 /// How many copies of the piece are worn outside; 0 where nothing tells. What is its own mirror image lies in
 /// the middle of the body, but for what is worn on limbs.
 std::size_t worn_copies(const SeamModel& m, Index panel) {
   const PieceWords& words = m.words[panel];
-  const bool faced = words.kind == PieceKind::kCollar || words.kind == PieceKind::kHood || words.yoke;
   const bool other_face = std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) {
     return (w.kind == words.kind || w.kind == PieceKind::kOther) && !w.layer && w.face * words.face < 0;
   });
@@ -58,7 +62,7 @@ std::size_t worn_copies(const SeamModel& m, Index panel) {
   if (words.kind == PieceKind::kBand && words.side != 0) return 1;
   if (words.kind == PieceKind::kBand || words.hem_band) return worn_bands(m, panel);
   if (words.kind == PieceKind::kCuff || words.kind == PieceKind::kSleeve) return words.side != 0 ? 1 : 2;
-  if (!faced) return 0;
+  if (!is_faced(words)) return 0;
   return mirrors_itself(m, panel) || words.side != 0 ? 1 : 2;
 }
 
@@ -96,7 +100,9 @@ void find_second_layers(const pattern::Pattern& pattern, SeamModel& m) {
     drawn[{drawn_name(pattern.panels[p].id), m.lines[p], std::lround(m.girth[p])}].push_back(p);
   for (auto& [piece, copies] : drawn) {
     const std::size_t worn = worn_copies(m, copies.front());
-    const bool alike = worn == 1 && m.words[copies.front()].face != 0 && mirrors_itself(m, copies.front());
+    const PieceWords& words = m.words[copies.front()];
+    const bool alike =
+        worn == 1 && (words.face != 0 || is_faced(words)) && mirrors_itself(m, copies.front());
     if (worn == 0 || copies.size() <= worn || !are_copies(pattern, copies, std::get<0>(piece), alike))
       continue;
     const auto order = [&](Index p) {  // of those turned over and of the others the first is worn

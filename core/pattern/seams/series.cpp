@@ -137,14 +137,26 @@ std::optional<Chain> with_half_of_next(const pattern::Pattern& pattern, FoundSea
   return chain;
 }
 
-/// The garment with that seam, whose lengths differ, sewn on along what goes on from its shorter side, so
+/// Two runs that are sewn to each other.
+struct Pair {
+  std::size_t seam = 0, place = 0;  ///< of FoundSeams, of the seam's sides
+};
+
+void erase(std::vector<FoundSeam>& seams, const Pair& pair) {
+  FoundSeam& seam = seams[pair.seam];
+  seam.a.erase(seam.a.begin() + static_cast<std::ptrdiff_t>(pair.place));
+  seam.b.erase(seam.b.begin() + static_cast<std::ptrdiff_t>(pair.place));
+  if (seam.a.empty()) seams.erase(seams.begin() + static_cast<std::ptrdiff_t>(pair.seam));
+}
+
+/// The garment with that pair, whose lengths differ, sewn on along what goes on from its shorter side, so
 /// that they agree: a back's side with the yoke's above it. Nothing where nothing of that length goes on.
 std::optional<FoundSeams> sewn_further(const pattern::Pattern& pattern, const FoundSeams& found,
-                                       std::size_t seam, const std::vector<char>& locked) {
-  const Index a = found.seams[seam].a[0], b = found.seams[seam].b[0];
+                                       const Pair& pair, const std::vector<char>& locked) {
+  const Index a = found.seams[pair.seam].a[pair.place], b = found.seams[pair.seam].b[pair.place];
   FoundSeams without{found.model, found.gluing, found.seams};
   without.gluing.undo(a);
-  without.seams.erase(without.seams.begin() + static_cast<std::ptrdiff_t>(seam));
+  erase(without.seams, pair);
   const SeamModel& m = without.model;
   const Index longer = m.runs[a].length > m.runs[b].length ? a : b, shorter = longer == a ? b : a;
   const std::vector<Chain> chains = chains_of(m, free_borders(m, without.gluing), locked);
@@ -169,22 +181,28 @@ std::optional<FoundSeams> sewn_further(const pattern::Pattern& pattern, const Fo
   return std::nullopt;
 }
 
+/// The first or last pair of the seam, where it goes on, if its lengths differ and both are free to change.
+std::optional<Pair> end_that_differs(const FoundSeams& found, std::size_t seam,
+                                     const std::vector<char>& locked) {
+  const auto is_locked = [&](Index r) { return r < static_cast<Index>(locked.size()) && locked[r]; };
+  const std::vector<Index>&a = found.seams[seam].a, &b = found.seams[seam].b;
+  for (const std::size_t k : {std::size_t{0}, a.size() - 1}) {
+    const double difference = std::abs(found.model.runs[a[k]].length - found.model.runs[b[k]].length);
+    if (difference > kSeriesWeights.differ_mm && !is_locked(a[k]) && !is_locked(b[k])) return Pair{seam, k};
+  }
+  return std::nullopt;
+}
+
 /// The garment with all seams sewn further that can be, and are better for it.
 FoundSeams all_sewn_further(const pattern::Pattern& pattern, FoundSeams found,
                             const std::vector<char>& locked, const GluingSettings& settings) {
   for (std::size_t k = 0; k < found.seams.size();) {
-    const FoundSeam& seam = found.seams[k];
-    const bool one = seam.a.size() == 1 && seam.b.size() == 1;
-    const bool differ = one && std::abs(found.model.runs[seam.a[0]].length -
-                                        found.model.runs[seam.b[0]].length) > kSeriesWeights.differ_mm;
-    const auto is_locked = [&](Index r) { return r < static_cast<Index>(locked.size()) && locked[r]; };
-    auto next = differ && !is_locked(seam.a[0]) && !is_locked(seam.b[0])
-                    ? sewn_further(pattern, found, k, locked)
-                    : std::nullopt;
+    const std::optional<Pair> pair = end_that_differs(found, k, locked);
+    auto next = pair ? sewn_further(pattern, found, *pair, locked) : std::nullopt;
     const bool better = next && gluing_merit(next->model, next->gluing, settings) >
                                     gluing_merit(found.model, found.gluing, settings);
     if (better)
-      found = std::move(*next);  // what follows has moved up
+      found = std::move(*next);  // what follows has moved up, or the seam has lost its end
     else
       ++k;
   }

@@ -19,10 +19,8 @@
 #include "core/pattern/validate.h"
 #include "core/project/create/choose_fabrics.h"
 #include "core/project/create/choose_mesh.h"
-#include "core/project/create/drawn_darts.h"
-#include "core/project/create/fold_lines.h"
+#include "core/project/create/cut_pieces.h"
 #include "core/project/create/halves.h"
-#include "core/project/create/pocket_corners.h"
 #include "core/project/create/waist_elastic.h"
 
 namespace toile::create {
@@ -120,90 +118,6 @@ void take_dxf_piece(const dxf::DxfPiece& drawn, const pattern::Panel& panel, int
     clockwise.push_back(
         seams::runs_clockwise(drawn.outline));  // a copy turned over shows its right side, too
   }
-}
-
-/// A drawing's pieces as they lie in it, those that can be cut.
-struct CutPieces {
-  dxf::DxfDrawing drawing;             ///< without the others
-  std::vector<pattern::Panel> panels;  ///< one a piece of it
-  std::vector<char> filled;            ///< of each: its outline is no longer the drawing's
-};
-
-Result<pattern::Panel> panel_of(const dxf::DxfPiece& drawn) {
-  pattern::Panel panel = TRY(dxf::panel_from_piece(drawn));
-  panel.id = drawn.name;
-  if (drawn.grain) panel.grain = *drawn.grain;
-  TRY(pattern::validate(panel));
-  return panel;
-}
-
-/// Darts that are only drawn are cut out, each where the piece can be cut so.
-void cut_darts(CutPieces& cut) {
-  for (std::size_t p = 0; p < cut.panels.size(); ++p) {
-    int darts = 0;
-    for (const DrawnDart& dart : drawn_darts(cut.panels[p])) {
-      pattern::Panel with = with_dart(cut.panels[p], dart);
-      if (!pattern::validate(with)) continue;
-      cut.panels[p] = std::move(with);
-      cut.filled[p] = 1;
-      ++darts;
-    }
-    if (darts > 0)
-      cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[p].id) + " has " +
-                                  (darts == 1 ? "a dart" : std::to_string(darts) + " darts") +
-                                  " drawn within its outline: the cloth between the lines is sewn away");
-  }
-}
-
-/// What is folded back is cut off, each where the piece can be cut so.
-void fold_back(CutPieces& cut) {
-  pattern::Pattern pattern;
-  pattern.panels = cut.panels;
-  const std::vector<seams::PieceWords> words = seams::garment_words(pattern);
-  for (std::size_t p = 0; p < cut.panels.size(); ++p) {
-    const std::optional<FoldLine> fold = fold_line(cut.panels[p], words[p]);
-    if (!fold) continue;
-    pattern::Panel rest = folded(cut.panels[p], *fold);
-    if (!pattern::validate(rest)) continue;
-    cut.panels[p] = std::move(rest);
-    cut.filled[p] = 1;
-    cut.drawing.notes.push_back(
-        "piece " + in_quotes(cut.panels[p].id) +
-        " is folded along a line that is drawn across it: what is folded back is cut off");
-  }
-}
-
-/// What cannot be cut is left out with a note, as long as anything is left: one bad outline of many must not
-/// keep the garment from being made. Error: that of the first, where none can be cut.
-Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
-  CutPieces cut{drawing, {}, {}};
-  cut.drawing.pieces.clear();
-  std::optional<Error> first;
-  for (const dxf::DxfPiece& drawn : drawing.pieces) {
-    Result<pattern::Panel> panel = panel_of(drawn);
-    if (!panel) {
-      if (!first) first = panel.error();
-      cut.drawing.notes.push_back("piece " + in_quotes(drawn.name) +
-                                  " cannot be cut and is left out: " + to_string(panel.error()));
-      continue;
-    }
-    cut.drawing.pieces.push_back(drawn);
-    cut.panels.push_back(std::move(*panel));
-  }
-  if (first && cut.panels.empty()) return *first;
-  const std::vector<Vec2> up = seams::grains_upwards(cut.panels);
-  for (std::size_t p = 0; p < up.size(); ++p) cut.panels[p].grain = up[p];
-  cut.filled.assign(cut.panels.size(), 0);
-  cut_darts(cut);
-  fold_back(cut);
-  for (const PocketCorner& pocket : pocket_corners(cut.panels)) {
-    cut.panels[pocket.panel] = with_corner(cut.panels[pocket.panel], pocket);
-    cut.filled[pocket.panel] = 1;
-    cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[pocket.panel].id) +
-                                " is cut away at a pocket between side and waist: it is drawn whole, as the "
-                                "pocket's facing fills it");
-  }
-  return cut;
 }
 
 Aabb2 box_of(const pattern::Panel& panel) { return bounding_box(pattern::flatten(panel.outline, 1)); }

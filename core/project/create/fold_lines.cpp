@@ -9,14 +9,12 @@
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/loop_part.h"
+#include "core/project/create/drawn_lines.h"
 
 namespace toile::create {
 namespace {
 
 constexpr double kChords = 0.05;         // mm, chords from curves
-constexpr double kLineLeaves = 0.5;      // mm, that the line's vertices leave it
-constexpr double kShort = 3;             // mm that the line may end before the outline …
-constexpr double kBeyond = 40;           // … and beyond it, in the allowance
 constexpr double kFits = 2.5;            // mm that what is folded back may look out
 constexpr double kMostHalf = 110;        // mm, of a strip's width when it is folded
 constexpr double kLeastLong = 2;         // times as long as wide is half a strip …
@@ -25,26 +23,6 @@ constexpr double kFacing[] = {28, 130};  // mm, breadth of a facing that is cut 
 constexpr double kFacingLong = 2.5;      // times its breadth
 constexpr double kMostFacing = 0.45;     // of the area that stays
 constexpr double kAlongGrain = 0.87;     // cosine
-
-/// The drawn line where it is straight and leads from outline to outline.
-std::optional<FoldLine> across(const std::vector<Vec2>& line, const std::vector<Vec2>& outline) {
-  const Vec2 chord = line.back() - line.front();
-  const double long_as = length(chord);
-  if (long_as < 1 || !geometry::is_flat(line, kLineLeaves)) return std::nullopt;
-  const Vec2 along = normalized(chord);
-  double first = HUGE_VAL, last = -HUGE_VAL;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
-    const double sa = cross(along, a - line.front()), sb = cross(along, b - line.front());
-    if ((sa < 0) == (sb < 0)) continue;  // so that one through a corner is met once
-    const double at = dot(a + sa / (sa - sb) * (b - a) - line.front(), along);
-    if (at < -kShort || at > long_as + kShort) continue;
-    first = std::min(first, at);
-    last = std::max(last, at);
-  }
-  if (first > kBeyond || last < long_as - kBeyond || last - first < 1) return std::nullopt;
-  return FoldLine{line.front() + first * along, line.front() + last * along};
-}
 
 /// What lies left of the line, its last side on it: from `to` around to `from`.
 std::vector<Vec2> left_of(const pattern::Panel& panel, const FoldLine& fold) {
@@ -129,9 +107,9 @@ std::optional<FoldLine> fold_line(const pattern::Panel& panel, const seams::Piec
   std::optional<FoldLine> best;
   double best_breadth = HUGE_VAL;
   for (const pattern::InnerLine& line : panel.lines) {
-    const std::optional<FoldLine> found = line.drawn ? across(line.points, outline) : std::nullopt;
-    if (!found) continue;
-    FoldLine fold = *found;
+    const std::optional<Chord> chord = line.drawn ? chord_across(line.points, outline) : std::nullopt;
+    if (!chord) continue;
+    FoldLine fold{chord->from, chord->to};
     std::vector<Vec2> rest = left_of(panel, fold), part = left_of(panel, turned(fold));
     if (rest.size() < 3 || part.size() < 3) continue;
     if (std::abs(geometry::signed_area(rest)) < std::abs(geometry::signed_area(part))) {

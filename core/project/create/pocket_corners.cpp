@@ -4,20 +4,18 @@
 #include <cmath>
 #include <optional>
 
+#include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
-#include "core/pattern/seams/lines.h"
 #include "core/pattern/seams/model.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/shapes.h"
-#include "core/pattern/seams/weights.h"
+#include "core/project/create/front_sides.h"
+#include "core/project/create/pocket_facings.h"
 
 namespace toile::create {
 namespace {
 
-constexpr double kLeastCut = 20, kMostCut = 320;  // mm, of side or waist that a pocket takes
-constexpr double kAgree = 8;                      // mm, that the sides of front and back may differ by
-constexpr double kMouthUp[2] = {0.15, 0.95};      // how much a mouth faces up
-constexpr double kOnMouth = 1;                    // mm, of a notch from the mouth
+constexpr double kOnMouth = 1;  // mm, of a notch from the mouth
 
 /// A front's side, the mouth after it or before it, and its waist, in edges of the panel.
 struct Mouth {
@@ -26,32 +24,6 @@ struct Mouth {
   bool after = false;                                ///< the outline runs from the side to the waist
 };
 
-const seams::SeamRun& beside(const seams::SeamModel& m, const seams::SeamRun& run, bool after) {
-  return after ? m.runs[run.next] : seams::run_before(m, run);
-}
-
-/// The edges that go up from a hem to the waist, the lowest first; none where no waist is above them.
-std::vector<const seams::SeamRun*> side_from(const seams::SeamModel& m, const seams::SeamRun& lowest,
-                                             bool after) {
-  std::vector<const seams::SeamRun*> side{&lowest};
-  for (const seams::SeamRun* next = &beside(m, lowest, after); next->up < kMouthUp[1];
-       next = &beside(m, *next, after)) {
-    if (next == &lowest || next->up < -kMouthUp[1]) return {};  // it went around by the hem
-    side.push_back(next);
-  }
-  return side;
-}
-
-bool begins_side(const seams::SeamModel& m, const seams::SeamRun& run) {
-  return seams::begins_at_hem(m, run) && std::abs(run.up) < kMouthUp[0];
-}
-
-double length_of(const std::vector<const seams::SeamRun*>& side) {
-  double length = 0;
-  for (const seams::SeamRun* run : side) length += run->length;
-  return length;
-}
-
 /// All that may be one; a crotch faces up a little, too, and is none.
 std::vector<Mouth> mouths_of(const seams::SeamModel& m, Index panel) {
   std::vector<Mouth> mouths;
@@ -59,20 +31,13 @@ std::vector<Mouth> mouths_of(const seams::SeamModel& m, Index panel) {
     if (lowest.panel != panel || !begins_side(m, lowest)) continue;
     for (const bool after : {true, false}) {
       std::vector<const seams::SeamRun*> side = side_from(m, lowest, after);
-      if (side.size() < 2 || side.back()->up < kMouthUp[0] || seams::is_leg_crotch(m, *side.back())) continue;
+      if (side.size() < 2 || side.back()->up < kSideUp || seams::is_leg_crotch(m, *side.back())) continue;
       const seams::SeamRun& mouth = *side.back();
       side.pop_back();
       mouths.push_back({side.back()->edge, mouth.edge, beside(m, mouth, after).edge, length_of(side), after});
     }
   }
   return mouths;
-}
-
-/// The way on beyond an end of the edge, a unit vector.
-Vec2 way_on(const pattern::PanelEdge& edge, bool at_end) {
-  const pattern::CubicBezier& c = at_end ? edge.curves.back() : edge.curves.front();
-  const Vec2 along = pattern::derivative(c, at_end ? 1 : 0);
-  return normalized(at_end ? along : -along);
 }
 
 /// Where both go on to, and how far each does; nothing where they do not meet there.
@@ -94,29 +59,30 @@ std::optional<Meeting> meeting_of(const pattern::Panel& front, const Mouth& mout
   return Meeting{from + s * up, s, w};
 }
 
-/// Lengths of backs' sides, and of these with a yoke's end, mm.
-std::vector<double> sides_behind(const seams::SeamModel& m) {
-  std::vector<double> yokes{0}, sides;
-  for (const seams::SeamRun& run : m.runs) {
-    const seams::PieceWords& words = m.words[run.panel];
-    if (words.yoke && std::abs(run.up) < seams::kPairWeights.facing) yokes.push_back(run.length);
+std::optional<PocketCorner> corner_by_lines(const pattern::Panel& front, const seams::SeamModel& m,
+                                            Index panel, const std::vector<double>& behind) {
+  for (const Mouth& mouth : mouths_of(m, panel)) {
+    const std::optional<Meeting> meeting = meeting_of(front, mouth);
+    if (meeting && !agrees(behind, mouth.side_length) && agrees(behind, mouth.side_length + meeting->side))
+      return PocketCorner{panel, mouth.mouth, meeting->at};
   }
-  for (const seams::SeamRun& run : m.runs) {
-    const seams::PieceWords& words = m.words[run.panel];
-    if (words.face >= 0 || words.layer || words.yoke || !seams::has_leg_crotch(m, run.panel)) continue;
-    if (!begins_side(m, run)) continue;
-    for (const bool after : {true, false}) {
-      const std::vector<const seams::SeamRun*> side = side_from(m, run, after);
-      if (side.empty()) continue;
-      for (const double yoke : yokes) sides.push_back(length_of(side) + yoke);
-    }
-  }
-  return sides;
+  return std::nullopt;
 }
 
-bool agrees(const std::vector<double>& lengths, double length) {
-  return std::any_of(lengths.begin(), lengths.end(),
-                     [&](double other) { return std::abs(other - length) < kAgree; });
+/// The curves of that part of the edge, shares of its length.
+std::vector<pattern::CubicBezier> part_of(const pattern::PanelEdge& edge, double from, double to) {
+  const double all = pattern::arc_length(edge);
+  std::vector<pattern::CubicBezier> curves;
+  double start = 0;
+  for (pattern::CubicBezier curve : edge.curves) {
+    const double here = pattern::arc_length(curve), first = from * all - start, last = to * all - start;
+    start += here;
+    if (last <= 0 || first >= here) continue;
+    if (last < here) curve = pattern::split(curve, pattern::parameter_at_length(curve, last)).first;
+    if (first > 0) curve = pattern::split(curve, pattern::parameter_at_length(curve, first)).second;
+    curves.push_back(curve);
+  }
+  return curves;
 }
 
 }  // namespace
@@ -130,13 +96,9 @@ std::vector<PocketCorner> pocket_corners(std::span<const pattern::Panel> panels)
   std::vector<PocketCorner> corners;
   for (Index p = 0; p < static_cast<Index>(panels.size()); ++p) {
     if (m.words[p].face <= 0 || m.words[p].layer || !seams::has_leg_crotch(m, p)) continue;
-    for (const Mouth& mouth : mouths_of(m, p)) {
-      const std::optional<Meeting> meeting = meeting_of(panels[p], mouth);
-      if (!meeting || agrees(behind, mouth.side_length) || !agrees(behind, mouth.side_length + meeting->side))
-        continue;
-      corners.push_back({p, mouth.mouth, meeting->at});
-      break;
-    }
+    std::optional<PocketCorner> corner = corner_by_lines(panels[p], m, p, behind);
+    if (!corner) corner = corner_by_facing(panels, m, p, behind);
+    if (corner) corners.push_back(*corner);
   }
   return corners;
 }
@@ -145,20 +107,19 @@ pattern::Panel with_corner(const pattern::Panel& front, const PocketCorner& pock
   pattern::Panel whole = front;
   std::vector<pattern::PanelEdge>& edges = whole.outline.edges;
   const std::size_t n = edges.size(), at = static_cast<std::size_t>(pocket.mouth);
-  const pattern::PanelEdge mouth = edges[at];
-  const Vec2 from = mouth.curves.front().p0, to = mouth.curves.back().p3;
-  edges[(at + n - 1) % n].curves.push_back(pattern::line_segment(from, pocket.corner));
-  std::vector<pattern::CubicBezier>& next = edges[(at + 1) % n].curves;
-  next.insert(next.begin(), pattern::line_segment(pocket.corner, to));
-  edges.erase(edges.begin() + pocket.mouth);
+  const pattern::PanelEdge cut = edges[at], mouth{"", part_of(cut, pocket.from, pocket.to)};
+  const pattern::CubicBezier on = pattern::line_segment(mouth.curves.front().p0, pocket.corner),
+                             back = pattern::line_segment(pocket.corner, mouth.curves.back().p3);
+  std::vector<pattern::CubicBezier>&before = edges[pocket.from > 0 ? at : (at + n - 1) % n].curves,
+  &after = edges[pocket.to < 1 ? at : (at + 1) % n].curves;
+  if (pocket.from > 0) before = part_of(cut, 0, pocket.from);
+  if (pocket.to < 1) after = part_of(cut, pocket.to, 1);
+  before.push_back(on);
+  after.insert(after.begin(), back);
+  if (pocket.from == 0 && pocket.to == 1) edges.erase(edges.begin() + pocket.mouth);
   const std::vector<Vec2> line = pattern::flatten(mouth, 0.1);
   std::erase_if(whole.notches, [&](const pattern::Notch& notch) {
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      const Vec2 along = line[k] - line[k - 1];
-      const double share = std::clamp(dot(notch.at - line[k - 1], along) / dot(along, along), 0.0, 1.0);
-      if (length(notch.at - line[k - 1] - share * along) < kOnMouth) return true;
-    }
-    return false;
+    return length(geometry::nearest_on(line, notch.at) - notch.at) < kOnMouth;
   });
   return whole;
 }

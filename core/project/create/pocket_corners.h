@@ -5,21 +5,17 @@
 #include <span>
 #include <vector>
 
-#include "core/pattern/pattern.h"
+#include "core/project/create/pocket_facings.h"
 
 namespace toile::create {
 
-/// A front's edge at a pocket, and where side and waist meet that run on straight beyond its ends, mm.
-struct PocketCorner {
-  Index panel = kNone, mouth = kNone;
-  Vec2 corner;
-};
-
 /// Where another piece is a facing or a pocket by its name, and a back's side, alone or with a yoke's, is as
-/// long as the front's would be with the corner, and not without it. Grains point upwards.
+/// long as the front's would be with the corner, and not without it. Side and waist run on straight to it;
+/// or, where the side runs into the mouth without a corner, the line of the mouth that is drawn on the facing
+/// tells where it begins and what the facing adds. Grains point upwards.
 std::vector<PocketCorner> pocket_corners(std::span<const pattern::Panel> panels);
 
-/// The front with its corner: its side and its waist go on, the mouth is no edge.
+/// The front with its corner: its side and its waist go on, and the mouth is gone.
 pattern::Panel with_corner(const pattern::Panel& front, const PocketCorner& pocket);
 
 }  // namespace toile::create

@@ -49,6 +49,11 @@ TEST(DraftedGarments, WhatIsCutTwiceAsOftenAsItIsWornLiesOnItself) {
             (Names{"cuff_3", "cuff_4"}));
   EXPECT_EQ(on_others({strip("Collar", 400, 50), strip("Collar_mirrored", 400, 50)}),
             (Names{"Collar_mirrored"}));
+  const auto yoke = [](const std::string& name) {
+    return piece(name, {{-200, 0}, {200, 0}, {200, 90}, {75, 130, Vec2{0, 60}}, {-75, 130}, {-200, 90}});
+  };
+  EXPECT_EQ(on_others({yoke("Yoke"), yoke("Yoke_2"), strip("Collar", 400, 50), strip("Collar_2", 400, 50)}),
+            (Names{"Yoke_2", "Collar_2"}));
   EXPECT_EQ(on_others({cuff("cuff_1"), cuff("cuff_2")}), Names{}) << "one for each arm";
   const pattern::Panel half =
       piece("Collar", {{0, 0}, {200, 20}, {230, 90}, {0, 60}});  // of the collar, from the middle

@@ -343,7 +343,8 @@ TEST(Offices, ACollarEndsInTheMiddleOfFrontsThatAreButtonedOverEachOther) {
   EXPECT_GT(met->confidence, 0.6);
 }
 
-TEST(Offices, ABacksSideGoesOnAlongItsYoke) {
+/// The seams of trousers with a yoke behind, their sides notched at one height or not.
+WornSeams trousers_with_yoke(bool notched) {
   pattern::Panel front = piece(
       "Front pants",
       {{0, 0}, {200, 0, Vec2{205, 600}}, {220, 1185}, {0, 1185, Vec2{0, 1000}, Vec2{0, 770}}, {-60, 760}});
@@ -351,16 +352,25 @@ TEST(Offices, ABacksSideGoesOnAlongItsYoke) {
       "Back pants",
       {{0, 0}, {230, 0, Vec2{235, 600}}, {250, 1140}, {10, 1140, Vec2{0, 1000}, Vec2{0, 775}}, {-110, 760}});
   pattern::Panel yoke = piece("Back yoke", {{0, 0}, {240, 0}, {240, 45}, {0, 75}});
+  if (notched)
+    for (pattern::Panel* panel : {&front, &back})
+      panel->notches.push_back({pattern::point_at_length(panel->outline.edges[1], 400), 0, {}});
   const std::vector<pattern::Panel> trousers{front, mirrored(front, "Front pants_mirrored"),
                                              back,  mirrored(back, "Back pants_mirrored"),
                                              yoke,  mirrored(yoke, "Back yoke_mirrored")};
-  ASSERT_NEAR(garments::length_of(front, 1), garments::length_of(back, 1) + 45, 3);
-  const WornSeams worn(trousers);
-  const bool either = worn.has({"Front pants.e1"}, {"Back pants.e1", "Back yoke.e1"}) ||
-                      worn.has({"Front pants.e1"}, {"Back yoke.e1", "Back pants.e1"}) ||
-                      worn.has({"Front pants.e1"}, {"Back yoke_mirrored.e1", "Back pants_mirrored.e1"}) ||
-                      worn.has({"Front pants.e1"}, {"Back pants_mirrored.e1", "Back yoke_mirrored.e1"});
-  EXPECT_TRUE(either) << worn.text();
+  EXPECT_NEAR(garments::length_of(front, 1), garments::length_of(back, 1) + 45, 3);
+  return WornSeams(trousers);
+}
+
+TEST(Offices, ABacksSideGoesOnAlongItsYoke) {
+  for (const bool notched : {false, true}) {
+    const WornSeams worn = trousers_with_yoke(notched);
+    const bool either = worn.has({"Front pants.e1"}, {"Back pants.e1", "Back yoke.e1"}) ||
+                        worn.has({"Front pants.e1"}, {"Back yoke.e1", "Back pants.e1"}) ||
+                        worn.has({"Front pants.e1"}, {"Back yoke_mirrored.e1", "Back pants_mirrored.e1"}) ||
+                        worn.has({"Front pants.e1"}, {"Back pants_mirrored.e1", "Back yoke_mirrored.e1"});
+    EXPECT_TRUE(either) << notched << worn.text();
+  }
 }
 
 }  // namespace

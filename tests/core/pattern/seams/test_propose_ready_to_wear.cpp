@@ -205,24 +205,32 @@ TEST(ReadyToWear, AFrontBandGoesUpToTheMiddleOfTheBacksNeck) {
                                                     {245, 380, Vec2{190, 390}, Vec2{185, 430}},
                                                     {200, 600},
                                                     {70, 640, Vec2{60, 500}, Vec2{-60, 420}}});
-  const pattern::Panel back =
-      garments::bodice("Back", {250, -500}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600},
-                       {70, 640, Vec2{60, 600}});
+  const pattern::Panel back = garments::bodice(
+      "Back", {250, -500}, {245, 380, Vec2{190, 390}, Vec2{185, 430}}, {200, 600}, {70, 640, Vec2{60, 600}});
   pattern::Panel band =
       strip("FRONT BAND", garments::length_of(half_front, 4) + garments::length_of(back, 4) / 2, 65);
   band.outline.edges[2].id = pattern::kFoldEdge;
   band.grain = {1, 0};
   const pattern::Panel sleeve = plain_sleeve("Sleeve");
-  const Panels panels{half_front, mirrored(half_front, "Front_mirrored"),
-                      back,       sleeve,
-                      mirrored(sleeve, "Sleeve_mirrored"),
-                      band,       mirrored(band, "FRONT BAND_mirrored")};
+  const Panels panels{
+      half_front, mirrored(half_front, "Front_mirrored"), back, sleeve, mirrored(sleeve, "Sleeve_mirrored"),
+      band,       mirrored(band, "FRONT BAND_mirrored")};
   EXPECT_EQ(words_of(panels)[5].face, 0) << "it is no front";
   const WornSeams worn(panels);
   EXPECT_FALSE(worn.has({"FRONT BAND.fold"}, {"FRONT BAND_mirrored.fold"})) << "the neck stays open";
   EXPECT_TRUE(worn.has({"Back.e4", "Front.e4"}, {"FRONT BAND.e0"}) ||
               worn.has({"Back.e4", "Front.e4"}, {"FRONT BAND_mirrored.e0"}))
       << worn.text();
+}
+
+TEST(ReadyToWear, HalvesOfAWaistbandAreClosedBeforeAndBehind) {
+  Panels panels = garments::trousers().panels;
+  const double half = garments::length_of(panels[0], 3) + garments::length_of(panels[3], 3);
+  panels.push_back(strip("Waistband left", half, 40));
+  panels.push_back(strip("Waistband right", half, 40));
+  const WornSeams worn(panels);
+  EXPECT_TRUE(worn.has({"Waistband left.e1"}, {"Waistband right.e3"})) << worn.text();
+  EXPECT_TRUE(worn.has({"Waistband left.e3"}, {"Waistband right.e1"})) << worn.text();
 }
 
 TEST(ReadyToWear, TheRoundEdgeOfAFlatCollarIsItsOuterOne) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/pattern/curve.h"
+#include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/model.h"
 #include "core/pattern/seams/propose.h"
 #include "core/pattern/seams/vents.h"
@@ -314,6 +315,14 @@ TEST(Tailored, TheCapOfAnUndersleeveIsItsHollowUpperEnd) {
     EXPECT_EQ(run.cap, run.edge == 2) << run.panel << ' ' << run.edge;
   const seams::SeamModel one = seams::make_seam_model({{top_sleeve()}, {}});
   EXPECT_FALSE(one.tailored) << "the cap of a sleeve in one piece may be gathered";
+}
+
+TEST(Tailored, NoSleeveGoesToTheNeck) {
+  const pattern::Pattern pattern = with_mirror_images({back(), top_sleeve(), under_sleeve()});
+  const seams::SeamModel model = seams::make_seam_model(pattern);
+  const seams::SeamRun &neck = model.runs[4], &cap = model.runs[6 * 2 + 4 * 2 + 2];
+  ASSERT_TRUE(neck.panel == 0 && neck.edge == 4 && cap.cap);
+  EXPECT_TRUE(seams::never_sewn(model, 4, 6 * 2 + 4 * 2 + 2)) << "however like their lengths are";
 }
 
 TEST(Tailored, ASeamEndsWhereAVentGoesOutFromIt) {

@@ -10,9 +10,9 @@
 #include "core/pattern/validate.h"
 #include "core/project/create/choose_fabrics.h"
 #include "core/project/create/create.h"
-#include "core/project/create/pocket_corners.h"
 #include "core/project/resolve/resolve.h"
 #include "tests/core/pattern/garments.h"
+#include "tests/core/project/create/slashed_trousers.h"
 
 namespace toile {
 namespace {
@@ -372,53 +372,14 @@ TEST(ProjectNew, MoreThanAPairOfACuffAreItsLayers) {
                                              "Gore_2", "Gore_3", "Gore_4"}));
 }
 
-/// Right half of trousers' front, cut away at a pocket between its side (so high, mm) and its waist.
-pattern::Panel slashed_front(double side) {
-  return garments::piece(
-      "Front",
-      {{0, 0}, {220, 0}, {220, side}, {180, 1000}, {0, 1000, Vec2{0, 900}, Vec2{0, 775}}, {-60, 760}});
-}
-
-pattern::Panel back_of_trousers(double side) {
-  return garments::piece("Back",
-                         {{0, 0}, {240, 0}, {240, side}, {0, side, Vec2{0, 900}, Vec2{0, 775}}, {-110, 760}});
-}
-
-TEST(ProjectNew, AFrontThatIsCutAwayAtAPocketIsDrawnWhole) {
-  const pattern::Panel facing = garments::piece("Pocket facing", {{0, 0}, {60, 0}, {60, 200}, {0, 200}});
-  const std::vector<pattern::Panel> panels{slashed_front(840), back_of_trousers(1000), facing};
-  const std::vector<create::PocketCorner> corners = create::pocket_corners(panels);
-  ASSERT_EQ(corners.size(), 1u);
-  EXPECT_EQ(corners[0].panel, 0);
-  EXPECT_EQ(corners[0].mouth, 2);
-  EXPECT_NEAR(corners[0].corner.x, 220, 1e-6);
-  EXPECT_NEAR(corners[0].corner.y, 1000, 1e-6);
-  const pattern::Panel whole = create::with_corner(panels[0], corners[0]);
-  ASSERT_EQ(whole.outline.edges.size(), 5u);
-  EXPECT_TRUE(pattern::validate(whole).ok());
-  EXPECT_NEAR(garments::length_of(whole, 1), 1000, 1e-6);
-  EXPECT_NEAR(garments::length_of(whole, 2), 220, 1e-6);
+TEST(ProjectNew, APieceThatIsDrawnWholeIsNoLongerTheDrawings) {
+  const std::vector<pattern::Panel> panels{
+      garments::slashed_front(840), garments::back_of_trousers(1000),
+      garments::piece("Pocket facing", {{0, 0}, {60, 0}, {60, 200}, {0, 200}})};
   const auto made = create::new_project(drawing_of(panels), settings());
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   EXPECT_FALSE(made->project.pieces[0].outline.empty()) << "it is no longer the drawing's";
   EXPECT_FALSE(made->project.pieces[0].from.has_value());
-}
-
-TEST(ProjectNew, ACrotchThatFacesUpALittleIsNoPocket) {
-  const pattern::Panel facing = garments::piece("Pocket facing", {{0, 0}, {60, 0}, {60, 200}, {0, 200}});
-  pattern::Panel front = garments::piece(
-      "Front",
-      {{-60, 770}, {0, 0}, {220, 0}, {220, 840}, {180, 1000}, {30, 1000, Vec2{30, 900}, Vec2{10, 800}}});
-  const std::vector<create::PocketCorner> corners =
-      create::pocket_corners(std::vector{front, back_of_trousers(1000), facing});
-  ASSERT_EQ(corners.size(), 1u);
-  EXPECT_EQ(corners[0].mouth, 3) << "although the inner edge comes first";
-}
-
-TEST(ProjectNew, WhereNothingFillsItOrSidesAgreeAFrontStaysAsItIsDrawn) {
-  const pattern::Panel facing = garments::piece("Pocket facing", {{0, 0}, {60, 0}, {60, 200}, {0, 200}});
-  EXPECT_TRUE(create::pocket_corners(std::vector{slashed_front(840), back_of_trousers(1000)}).empty());
-  EXPECT_TRUE(create::pocket_corners(std::vector{slashed_front(840), back_of_trousers(840), facing}).empty());
 }
 
 TEST(ProjectNew, MaterialsOfTheDrawingTellTheCloth) {

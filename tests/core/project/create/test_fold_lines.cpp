@@ -104,10 +104,10 @@ TEST(FoldLines, PleatsAreNoFacing) {
 
 TEST(FoldLines, ALineMayBeginAtACornerOfTheOutline) {
   // The neck is level in the facing, so that a corner lies where it is folded.
-  const pattern::Panel front = with_lines(
-      garments::piece("Front bodice",
-                      {{0, 0}, {250, 0}, {250, 500}, {190, 500}, {130, 500}, {60, 560}, {0, 540}}),
-      {{{190, 500}, {190, 0}}});
+  const pattern::Panel front =
+      with_lines(garments::piece("Front bodice",
+                                 {{0, 0}, {250, 0}, {250, 500}, {190, 500}, {130, 500}, {60, 560}, {0, 540}}),
+                 {{{190, 500}, {190, 0}}});
   EXPECT_TRUE(fold_of(front));
 }
 

@@ -1,0 +1,113 @@
+#include "core/project/create/cut_pieces.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/names.h"
+#include "core/pattern/seams/garment_words.h"
+#include "core/pattern/seams/upper_ends.h"
+#include "core/pattern/validate.h"
+#include "core/project/create/drawn_darts.h"
+#include "core/project/create/fold_lines.h"
+#include "core/project/create/pocket_corners.h"
+#include "core/project/create/underlaps.h"
+
+namespace toile::create {
+namespace {
+
+Result<pattern::Panel> panel_of(const dxf::DxfPiece& drawn) {
+  pattern::Panel panel = TRY(dxf::panel_from_piece(drawn));
+  panel.id = drawn.name;
+  if (drawn.grain) panel.grain = *drawn.grain;
+  TRY(pattern::validate(panel));
+  return panel;
+}
+
+/// Darts that are only drawn are cut out, each where the piece can be cut so.
+void cut_darts(CutPieces& cut) {
+  for (std::size_t p = 0; p < cut.panels.size(); ++p) {
+    int darts = 0;
+    for (const DrawnDart& dart : drawn_darts(cut.panels[p])) {
+      pattern::Panel with = with_dart(cut.panels[p], dart);
+      if (!pattern::validate(with)) continue;
+      cut.panels[p] = std::move(with);
+      cut.filled[p] = 1;
+      ++darts;
+    }
+    if (darts > 0)
+      cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[p].id) + " has " +
+                                  (darts == 1 ? "a dart" : std::to_string(darts) + " darts") +
+                                  " drawn within its outline: the cloth between the lines is sewn away");
+  }
+}
+
+/// What is folded back is cut off, each where the piece can be cut so.
+void fold_back(CutPieces& cut) {
+  pattern::Pattern pattern;
+  pattern.panels = cut.panels;
+  const std::vector<seams::PieceWords> words = seams::garment_words(pattern);
+  for (std::size_t p = 0; p < cut.panels.size(); ++p) {
+    const std::optional<FoldLine> fold = fold_line(cut.panels[p], words[p]);
+    if (!fold) continue;
+    pattern::Panel rest = folded(cut.panels[p], *fold);
+    if (!pattern::validate(rest)) continue;
+    cut.panels[p] = std::move(rest);
+    cut.filled[p] = 1;
+    cut.drawing.notes.push_back(
+        "piece " + in_quotes(cut.panels[p].id) +
+        " is folded along a line that is drawn across it: what is folded back is cut off");
+  }
+}
+
+void fill_pockets(CutPieces& cut) {
+  for (const PocketCorner& pocket : pocket_corners(cut.panels)) {
+    cut.panels[pocket.panel] = with_corner(cut.panels[pocket.panel], pocket);
+    cut.filled[pocket.panel] = 1;
+    cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[pocket.panel].id) +
+                                " is cut away at a pocket between side and waist: it is drawn whole, as the "
+                                "pocket's facing fills it");
+  }
+}
+
+void cut_underlaps(CutPieces& cut) {
+  for (const Underlap& underlap : underlaps(cut.panels)) {
+    pattern::Panel& band = cut.panels[underlap.panel];
+    band = without_underlap(band, underlap);
+    cut.filled[underlap.panel] = 1;
+    cut.drawing.notes.push_back("piece " + in_quotes(band.id) + " is longer than its other half by " +
+                                std::to_string(std::lround(underlap.long_as)) +
+                                " mm, which lie under it where they are closed: they are cut off");
+  }
+}
+
+}  // namespace
+
+Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
+  CutPieces cut{drawing, {}, {}};
+  cut.drawing.pieces.clear();
+  std::optional<Error> first;
+  for (const dxf::DxfPiece& drawn : drawing.pieces) {
+    Result<pattern::Panel> panel = panel_of(drawn);
+    if (!panel) {
+      if (!first) first = panel.error();
+      cut.drawing.notes.push_back("piece " + in_quotes(drawn.name) +
+                                  " cannot be cut and is left out: " + to_string(panel.error()));
+      continue;
+    }
+    cut.drawing.pieces.push_back(drawn);
+    cut.panels.push_back(std::move(*panel));
+  }
+  if (first && cut.panels.empty()) return *first;
+  const std::vector<Vec2> up = seams::grains_upwards(cut.panels);
+  for (std::size_t p = 0; p < up.size(); ++p) cut.panels[p].grain = up[p];
+  cut.filled.assign(cut.panels.size(), 0);
+  cut_darts(cut);
+  fold_back(cut);
+  fill_pockets(cut);
+  cut_underlaps(cut);
+  return cut;
+}
+
+}  // namespace toile::create

@@ -1,0 +1,24 @@
+#pragma once
+// Waistbands in two halves, one of which is longer: its end lies under the other's where they are closed.
+
+#include <span>
+#include <vector>
+
+#include "core/pattern/pattern.h"
+
+namespace toile::create {
+
+struct Underlap {
+  Index panel = kNone;
+  double long_as = 0;  ///< mm
+  Vec2 away;           ///< unit vector along the band, out at the end that lies under
+};
+
+/// Of straight bands for the left and the right: the end of the longer one, where a notch tells which it is;
+/// of bands that look alike at both ends either.
+std::vector<Underlap> underlaps(std::span<const pattern::Panel> panels);
+
+/// The band without it. Its edges keep their names.
+pattern::Panel without_underlap(const pattern::Panel& band, const Underlap& underlap);
+
+}  // namespace toile::create
