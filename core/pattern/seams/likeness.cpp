@@ -182,7 +182,9 @@ void find_twins(SeamModel& m) {
       for (Index q = p + 1; q < count && !taken[p]; ++q) {
         const int sides = m.words[p].side * m.words[q].side;
         const bool faces = m.words[p].face * m.words[q].face < 0;
-        if (taken[q] || faces || (named ? sides >= 0 : sides > 0) || !places_mirror(m.rows[p], m.rows[q]))
+        const bool layers = m.words[p].layer != m.words[q].layer;  // what lies on it is no other side's
+        if (taken[q] || faces || layers || (named ? sides >= 0 : sides > 0) ||
+            !places_mirror(m.rows[p], m.rows[q]))
           continue;
         const std::vector<Index> image = mirror_image(m, p, q);
         if (image.empty()) continue;

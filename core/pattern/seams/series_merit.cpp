@@ -94,13 +94,13 @@ bool is_collar_on_neck(const SeamModel& m, const Chain& collar, const Chain& nec
          is_symmetric(m, neck);
 }
 
-/// The least that lengths say where one chain is a neckband closed to a ring and the other a neck: bands of
-/// rib are stretched onto a longer one, and stands are longer by what their ends are buttoned over each
-/// other. Nothing where they are none.
+/// The least that lengths say where one chain is a neckband and the other a neck: bands of rib are stretched
+/// onto a longer one, and stands that are closed to a ring are longer by what their ends are buttoned over
+/// each other. Nothing where they are none.
 std::optional<double> band_on_neck(const SeamModel& m, const Chain& a, const Chain& b) {
   const auto is_band = [&](const Chain& chain) {
-    return chain.whole && chain.runs.size() == 1 && is_of(m, chain, PieceKind::kCollar) &&
-           m.words[m.runs[chain.runs.front()].panel].stand;
+    return (chain.whole || is_symmetric(m, chain)) && chain.runs.size() == 1 &&
+           is_of(m, chain, PieceKind::kCollar) && m.words[m.runs[chain.runs.front()].panel].stand;
   };
   const Chain &band = is_band(a) ? a : b, &neck = is_band(a) ? b : a;
   const bool collar = std::any_of(neck.runs.begin(), neck.runs.end(), [&](Index r) {
@@ -109,8 +109,9 @@ std::optional<double> band_on_neck(const SeamModel& m, const Chain& a, const Cha
   if (!is_band(band) || !neck.whole || collar) return std::nullopt;
   const double ratio = band.length / neck.length;
   const double beyond = (band.length - neck.length) / 2;
-  if (ratio > kSeriesWeights.rib_stretched && ratio < 1) return kSeriesWeights.rib_on_neck;
-  return beyond > kSeriesWeights.overlap_least_mm && beyond < kSeriesWeights.overlap_most_mm
+  if (ratio > kSeriesWeights.rib_stretched && ratio < 1)
+    return band.whole ? kSeriesWeights.rib_on_neck : kSeriesWeights.rib_along_neck;
+  return band.whole && beyond > kSeriesWeights.overlap_least_mm && beyond < kSeriesWeights.overlap_most_mm
              ? std::optional(kSeriesWeights.stand_on_neck)
              : std::nullopt;
 }

@@ -265,6 +265,7 @@ struct SeriesWeights {
   double collar_in_middle = 24;    ///< it ends before the fronts do
   double tier_on_tier = 5;         ///< the least that lengths say of a tier gathered onto the one above it
   double rib_on_neck = 2;          ///< the least that lengths say of a closed neckband …
+  double rib_along_neck = 6;       ///< … or of an open one that is its own mirror image …
   double rib_stretched = 0.75;     ///< … which is at least this share of its neck
   double stand_on_neck = 9;        ///< or of a stand that overlaps
   double hood_behind = -4;         ///< a hood whose face would be behind

@@ -233,6 +233,19 @@ TEST(ReadyToWear, HalvesOfAWaistbandAreClosedBeforeAndBehind) {
   EXPECT_TRUE(worn.has({"Waistband left.e3"}, {"Waistband right.e1"})) << worn.text();
 }
 
+TEST(ReadyToWear, ACollarOfRibThatEndsInFrontIsStretchedAlongTheNeck) {
+  const pattern::Panel front = plain_top("Front", 520), back = plain_top("Back", 600);
+  const double along = 0.85 * (garments::length_of(front, 4) + garments::length_of(back, 4));
+  const auto collar = [&](const std::string& name) {
+    return piece(name, {{0, 0}, {along, 0, Vec2{along, 80}, Vec2{0, 80}}});
+  };
+  const pattern::Panel sleeve = plain_sleeve("Sleeve");
+  const WornSeams worn({front, back, sleeve, mirrored(sleeve, "Sleeve_mirrored"), collar("Rib collar"),
+                        mirrored(collar("Rib collar"), "Rib collar_mirrored")});
+  EXPECT_TRUE(worn.has({"Back.e4", "Front.e4"}, {"Rib collar.e0"})) << worn.text();
+  EXPECT_FALSE(worn.takes("Rib collar_mirrored.e0")) << "it lies on the other";
+}
+
 TEST(ReadyToWear, TheRoundEdgeOfAFlatCollarIsItsOuterOne) {
   const pattern::Panel half = piece(
       "Collar", {{0, 0}, {0, 50, Vec2{-130, 50}, Vec2{-190, -20}}, {-110, -70, Vec2{-100, 0}, Vec2{-60, 0}}});
