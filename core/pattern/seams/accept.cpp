@@ -1,7 +1,10 @@
 #include "core/pattern/seams/accept.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/base/disjoint_sets.h"
 #include "core/pattern/curve.h"
@@ -43,6 +46,33 @@ bool closes_leg(const pattern::Pattern& pattern, const std::vector<pattern::Seam
                      [&](const pattern::SeamEdge& e) { return e.panel == panel; });
 }
 
+/// What a seam joins, whichever way it runs: edges and their parts.
+using Joined = std::pair<std::vector<std::array<double, 4>>, std::vector<std::array<double, 4>>>;
+
+Joined joined_by(const pattern::Seam& seam) {
+  const auto told = [](const std::vector<pattern::SeamEdge>& side) {
+    std::vector<std::array<double, 4>> parts;
+    for (const pattern::SeamEdge& e : side)
+      parts.push_back({static_cast<double>(e.panel), static_cast<double>(e.edge), e.from, e.to});
+    std::sort(parts.begin(), parts.end());
+    return parts;
+  };
+  Joined joined{told(seam.a), told(seam.b)};
+  if (joined.second < joined.first) std::swap(joined.first, joined.second);
+  return joined;
+}
+
+/// Of each proposal how sure it is that its edges belong together: its own confidence and those of the others
+/// that join them the other way round, as of a collar that may be turned over.
+std::vector<double> whichever_way(std::span<const SeamProposal> proposals) {
+  std::map<Joined, double> sum;
+  for (const SeamProposal& p : proposals) sum[joined_by(p.seam)] += p.confidence;
+  std::vector<double> sure;
+  sure.reserve(proposals.size());
+  for (const SeamProposal& p : proposals) sure.push_back(sum[joined_by(p.seam)]);
+  return sure;
+}
+
 }  // namespace
 
 std::vector<bool> sewn_together(std::span<const SeamProposal> proposals, double least_confidence) {
@@ -61,6 +91,7 @@ std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const 
   const std::vector<char> loose =
       loose_panels(pattern, proposals, sewn_together(proposals, least_confidence));
   const std::vector<char> layers = lying_on_others(pattern);
+  const std::vector<double> sure = whichever_way(proposals);
   TakenEdges taken;
   for (std::size_t i = 0; i < proposals.size(); ++i)
     if (sewn[i]) taken.take(proposals[i].seam);
@@ -76,7 +107,7 @@ std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const 
           return is_tied(words_of(pattern.panels[e.panel].id));
         }))
       continue;  // a garment is worn without a belt, and with it sewn on anywhere it is not
-    if (sewn[i] || p.confidence < kLikely || taken.clashes(p.seam) || any(layers)) continue;
+    if (sewn[i] || sure[i] < kLikely || taken.clashes(p.seam) || any(layers)) continue;
     if (!wanted && !taken.goes_on(p.seam) && !closes_leg(pattern, edges)) continue;
     sewn[i] = true;
     taken.take(p.seam);

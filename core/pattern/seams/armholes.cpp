@@ -70,7 +70,8 @@ double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sl
   const bool wrist = m.upright[sleeve.panel] && sleeve.up < -kPairWeights.facing;
   const bool neck = m.upright[torso.panel] && torso.up > kPairWeights.facing &&
                     m.twin[torso.panel] == torso.panel && torso.mirror_edge == torso.edge;
-  const bool from_hem = begins_at_hem(m, torso) && torso.from == 0 && torso.to == 1;
+  const bool from_hem =  // a yoke's lower edge is none
+      begins_at_hem(m, torso) && torso.from == 0 && torso.to == 1 && !m.words[torso.panel].yoke;
   const bool hem = m.upright[torso.panel] && torso.up < -kPairWeights.facing && !is_below_arm(m, torso);
   if (wrist || neck || hem || from_hem || is_neckline(m, torso)) return kPairWeights.never_meet;
   const bool dropped = is_dropped(m, torso, sleeve);

@@ -57,15 +57,19 @@ bool is_off_neck(const SeamModel& m, const SeamRun& run) {
   if (words.yoke) return run.line_turn > kPairWeights.neck_deg;  // its neck is hollow
   if (words.kind != PieceKind::kTorso) return false;
   const bool parted_front = words.face >= 0 && m.twin[run.panel] != run.panel;
-  return hem || is_below_yoke(m, run) || from_side(m, run) < -kPairWeights.off_neck || is_shoulder(m, run) ||
-         (!parted_front && begins_at_hem(m, run));
+  constexpr double kShort = 40;  // mm: so short a part of a neck is as straight as a shoulder
+  return hem || is_below_yoke(m, run) || from_side(m, run) < -kPairWeights.off_neck ||
+         (run.length > kShort && is_shoulder(m, run)) || (!parted_front && begins_at_hem(m, run));
 }
 
-/// Whether the runs are of a back or yoke and of a collar that sits on a stand, which goes around the neck.
-bool passes_stand(const SeamModel& m, const SeamRun& collar, const SeamRun& back) {
-  const PieceWords &upper = m.words[collar.panel], &lower = m.words[back.panel];
+/// Whether the runs are of a bodice and of a collar that sits on a stand, which goes around the neck: no back
+/// or yoke meets such a collar, and no front its ends, but for lapels.
+bool passes_stand(const SeamModel& m, const SeamRun& collar, const SeamRun& torso) {
+  constexpr double kEnd = 0.25;  // of its outline at most
+  const PieceWords &upper = m.words[collar.panel], &lower = m.words[torso.panel];
   if (upper.kind != PieceKind::kCollar || upper.stand || upper.layer) return false;
-  return (lower.yoke || (lower.kind == PieceKind::kTorso && lower.face < 0)) &&
+  const bool end = edge_length(collar) < kEnd * m.girth[collar.panel] && !is_lapel(m, torso.panel);
+  return (lower.yoke || (lower.kind == PieceKind::kTorso && (lower.face < 0 || end))) &&
          std::any_of(m.words.begin(), m.words.end(),
                      [](const PieceWords& w) { return w.kind == PieceKind::kCollar && w.stand && !w.layer; });
 }
@@ -345,8 +349,9 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
   if (is_off_armhole_end(m, a, b) || is_off_armhole_end(m, b, a)) return kPairWeights.never_meet;
   const bool left_and_right = m.twin[a.panel] == b.panel && a.panel != b.panel && x.face * y.face >= 0;
   if (left_and_right && (x.flank || (x.limb && y.limb))) return kPairWeights.both_sleeves;
-  if ((is_neck(ka) && y.flank) || (is_neck(kb) && x.flank))
-    return kPairWeights.never_meet;  // it is under the arm
+  if ((is_neck(ka) && (y.flank || kb == PieceKind::kSleeve)) ||
+      (is_neck(kb) && (x.flank || ka == PieceKind::kSleeve)))
+    return kPairWeights.never_meet;  // it is under the arm, or around it
   if (passes_flank(m, a, b) || is_hem_on_neck(m, a, b) || is_hem_on_neck(m, b, a))
     return kPairWeights.never_meet;
   if (ka == PieceKind::kInsert || kb == PieceKind::kInsert)

@@ -109,6 +109,22 @@ Vec2 chord_of_straight(const pattern::Panel& panel) {
 /// A cuff with round ends: all that has no corner is one edge, and the straight one is sewn on.
 bool is_rounded(const pattern::Panel& panel) { return panel.outline.edges.size() == 2; }
 
+/// That direction, or against it: a shaped waistband's lower edge, towards the hip, is longer than its upper
+/// one.
+Vec2 from_longer_edge(const pattern::Panel& panel, Vec2 way) {
+  constexpr double kShaped = 0.97;  // of the longer edge
+  if (panel.outline.edges.size() != 4) return way;
+  const auto length = [&](std::size_t e) { return pattern::arc_length(panel.outline.edges[e]); };
+  const std::size_t along = length(0) + length(2) > length(1) + length(3) ? 0 : 1;
+  const std::size_t longer = length(along) > length(along + 2) ? along : along + 2,
+                    shorter = 2 * along + 2 - longer;
+  if (length(shorter) > kShaped * length(longer)) return way;
+  const auto middle = [&](std::size_t e) {
+    return pattern::point_at_length(panel.outline.edges[e], length(e) / 2);
+  };
+  return dot(middle(shorter) - middle(longer), way) < 0 ? -way : way;
+}
+
 /// The direction that is up when the piece is worn, as far as it tells: mostly along its grain, but bands,
 /// cuffs and collars are often cut with the grain along them, and then go around a limb all the same.
 Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
@@ -132,7 +148,7 @@ Vec2 up_of(const pattern::Panel& panel, PieceKind kind) {
     const bool tight = wide < kHand && tall >= kHand && tall < 2 * kHand;
     return wide < kPairWeights.least_ring_mm || tight ? across : grain;
   }
-  return high[0] - low[0] > kStrip * (high[1] - low[1]) ? across : grain;
+  return from_longer_edge(panel, high[0] - low[0] > kStrip * (high[1] - low[1]) ? across : grain);
 }
 
 /// Of a yoke over both shoulders, whose grain often runs across the back: from the edge that the back hangs
@@ -387,6 +403,8 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   if (model.nameless) {
     name_by_fit(model);
     find_twins(model);  // strips stand another way than they were drawn, and mirror themselves so
+  } else {
+    name_lone_sleeves(model);
   }
   name_legs(model);
   find_crotch_sides(model);

@@ -337,4 +337,27 @@ void name_by_fit(SeamModel& m) {
   name_hoods(m);
 }
 
+void name_lone_sleeves(SeamModel& m) {
+  constexpr double kCap[2] = {250, 800}, kBlunt = 30;  // mm; degrees, where a cap has a corner at its top
+  const auto any = [&](PieceKind kind) {
+    return std::any_of(m.words.begin(), m.words.end(),
+                       [&](const PieceWords& words) { return words.kind == kind && !words.layer; });
+  };
+  if (!any(PieceKind::kTorso) || any(PieceKind::kSleeve)) return;
+  for (const SeamRun& first : m.runs) {
+    PieceWords& words = m.words[first.panel];
+    const bool pair = m.twin[first.panel] != kNone && m.twin[first.panel] != first.panel;
+    if (words.kind != PieceKind::kOther || words.layer || words.face != 0 || !pair) continue;
+    if (bend_of(first) < kCapBend) continue;
+    const SeamRun& next = m.runs[first.next];
+    const bool goes_on = bend_of(next) >= kCapBend && std::abs(next.angle - 180) < kBlunt;
+    const SeamRun &last = goes_on ? next : first, &before = run_before(m, first), &after = m.runs[last.next];
+    const double cap = first.length + (goes_on ? next.length : 0);
+    const bool hem = &m.runs[after.next] != &before && &after != &before;
+    if (!hem || cap < kCap[0] || cap > kCap[1] || difference(after, before) > kSidesOfSleeve) continue;
+    words.guess(PieceKind::kSleeve);
+    words.limb = true;
+  }
+}
+
 }  // namespace toile::seams

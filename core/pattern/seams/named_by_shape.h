@@ -16,4 +16,8 @@ void name_shapes(SeamModel& m);
 /// Legs that are cut in one piece, faces of bodices and legs, then sleeves, collars and bands that fit these.
 void name_by_fit(SeamModel& m);
 
+/// Sleeves under names of no language, of a bodice that is told by its names: pairs with a bent cap between
+/// two edges of one length. REQUIRES twins.
+void name_lone_sleeves(SeamModel& m);
+
 }  // namespace toile::seams

@@ -63,12 +63,6 @@ std::string english_parts(std::string_view word) {
   return parts;
 }
 
-/// Empty where the word is not known.
-std::string english_word(std::string_view word) {
-  const auto told = english_of(word);
-  return told ? std::string(*told) : english_parts(word);
-}
-
 /// "aermel" as "armel": vowels with two dots are written so where there are none.
 std::string without_transcriptions(std::string_view word) {
   std::string out;
@@ -78,6 +72,15 @@ std::string without_transcriptions(std::string_view word) {
     if (!dotted) out += word[i];
   }
   return out;
+}
+
+/// Empty where neither the word nor parts of it are known: more parts are more likely what is meant.
+std::string english_word(const std::string& word) {
+  const std::string plain = without_transcriptions(word);
+  for (const std::string& spelled : {word, plain})
+    if (const auto told = english_of(spelled)) return std::string(*told);
+  const std::string parts = english_parts(word), plain_parts = english_parts(plain);
+  return plain_parts.size() > parts.size() ? plain_parts : parts;
 }
 
 /// "Del" is a front (delantero) and "die" a back (dietro) where no word follows that an article could belong
@@ -117,7 +120,6 @@ std::vector<std::string> words_of_piece(std::string_view name) {
       ++k;
     } else {
       told = english_word(words[k]);
-      if (told.empty()) told = english_word(without_transcriptions(words[k]));
     }
     english += " " + (told.empty() ? words[k] : told);
   }

@@ -14,7 +14,9 @@ constexpr std::string_view kShortened =
     "front=front;ctr back=back;nk=neck;nkband=neckband;"
     "nkbd=neckband;strp=strap;gst=gusset;sdft=side front;sdbk=side back;scrotch=gusset;pckt=pocket;"
     "pock=pocket;undslv=undersleeve;topslv=topsleeve;upslv=topsleeve;cuf=cuff;btm=bottom;"
-    "bdy=body;bnd=band;bind=binding;bndg=binding;";
+    "bdy=body;bnd=band;bind=binding;bndg=binding;wbf=front waistband;wbb=back waistband;wbl=left waistband;"
+    "wbr=right waistband;ln=lining;kpkt=pocket;cpkt=pocket;bpkt=pocket;fpkt=pocket;mche=sleeve;"
+    "hd=hood;flp=flap;stm flap=flap;storm flp=flap;stm flp=flap;tnl=facing;";
 
 // "rt" alone is English, and right.
 constexpr std::string_view kGerman =
@@ -34,7 +36,8 @@ constexpr std::string_view kGerman =
     "halsbundchen=neckband;ausschnittblende=neckband;halsblende=neckband;halsausschnitt=neck;"
     "ausschnitt=neck;saum=hem;taille=waist;taillenband=waistband;schulterpasse=yoke;huftpasse=yoke;"
     "rockpasse=yoke;untertritt=fly;ubertritt=fly;hosenschlitz=fly;knopfleiste=placket;leiste=placket;"
-    "schlitz=placket;schlaufe=loop;gurtelschlaufe=loop;ruckengurt=belt;patte=flap;klappe=flap;paspel=piping;"
+    "schlitz=placket;schlaufe=loop;gurtelschlaufe=loop;ruckengurt=belt;ot=bodice;ho=pants;ae=sleeve;krg="
+    "collar;ta=pocket;knie=patch;untertr=fly;tunnel=facing;patte=flap;klappe=flap;paspel=piping;"
     "schragband=binding;einfassung=binding;bindeband=tie;bindegurtel=belt;latz=bib;schosschen=peplum;"
     "keil=gusset;leggins=leggings;pullover=sweater;sakko=jacket;stufe=tier;"
     "li=left;re=right;halsbund=neckband;armelbund=cuff;beinbund=cuff;saumbund=hem rib;bundstreifen=waistband;"

@@ -82,8 +82,9 @@ bool holds_in_a_row(const std::vector<std::string>& words, const char* first, co
 
 /// Whether the word tells of cloth that lies on other cloth, alone or at the end of another word.
 bool lies_on_cloth(const std::string& word) {
-  static const char* const kAlone[] = {"canvas", "welt", "bag", "flap",  "stay",   "guard",  "shield",
-                                       "loop",   "tab",  "fly", "loops", "piping", "fusing", "fusible"};
+  static const char* const kAlone[] = {"canvas", "welt",   "bag",    "flap",    "stay",
+                                       "guard",  "shield", "loop",   "tab",     "fly",
+                                       "loops",  "piping", "fusing", "fusible", "patch"};
   static const char* const kEnds[] = {"lining",  "facing",      "pocket", "undercollar",
                                       "placket", "zipperguard", "binding"};
   return std::any_of(std::begin(kAlone), std::end(kAlone), [&](const char* w) { return word == w; }) ||

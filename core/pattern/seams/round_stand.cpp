@@ -20,9 +20,20 @@ bool passes(const SeamModel& model, const SeamRun& stand, const SeamRun& other) 
 }  // namespace
 
 int round_stand_edge(const SeamModel& model, const SeamRun& run) {
+  constexpr double kShaped = 0.98;  // of the longer edge
   const PieceWords& words = model.words[run.panel];
-  if (words.kind != PieceKind::kCollar || !words.stand || model.lines[run.panel] != 2) return 0;
-  return edge_length(run) > model.girth[run.panel] / 2 ? 1 : -1;
+  if (words.kind != PieceKind::kCollar || !words.stand) return 0;
+  const double length = edge_length(run);
+  if (model.lines[run.panel] == 2) return length > model.girth[run.panel] / 2 ? 1 : -1;
+  double longest = 0, second = 0;
+  for (const SeamRun& other : model.runs) {
+    if (other.panel != run.panel || other.from > 0) continue;
+    const double here = edge_length(other);
+    second = std::max(second, std::min(longest, here));
+    longest = std::max(longest, here);
+  }
+  if (length < second || second > kShaped * longest) return 0;
+  return length < longest ? 1 : -1;
 }
 
 bool misses_round_stand(const SeamModel& model, const SeamRun& a, const SeamRun& b) {

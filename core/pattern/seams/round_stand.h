@@ -1,5 +1,5 @@
 #pragma once
-// Stands of collars with round ends, whose upper edge goes on around the ends down to the neck.
+// Stands of collars, whose edges tell by their lengths which of them the neck's is.
 
 #include <vector>
 
@@ -7,8 +7,9 @@
 
 namespace toile::seams {
 
-/// Of a stand whose outline has two edges: +1 for the upper one with the round ends, which is the longer one,
-/// −1 for the one that is sewn to the neck; 0 of anything else. Of a part the same as of its edge.
+/// Of a stand +1 for the edge on which the collar sits, −1 for the one that is sewn to the neck; 0 of
+/// anything else. Where the outline has two edges the upper one is longer, since it goes on around the round
+/// ends; else it is the shorter one of the two longest. Of a part the same as of its edge.
 int round_stand_edge(const SeamModel& model, const SeamRun& run);
 
 /// Whether one run is of such a stand's edge, and the other belongs to its other one: a collar sits with its

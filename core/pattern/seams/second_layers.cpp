@@ -101,8 +101,7 @@ void find_second_layers(const pattern::Pattern& pattern, SeamModel& m) {
   for (auto& [piece, copies] : drawn) {
     const std::size_t worn = worn_copies(m, copies.front());
     const PieceWords& words = m.words[copies.front()];
-    const bool alike =
-        worn == 1 && (words.face != 0 || is_faced(words)) && mirrors_itself(m, copies.front());
+    const bool alike = worn == 1 && (words.face != 0 || is_faced(words)) && mirrors_itself(m, copies.front());
     if (worn == 0 || copies.size() <= worn || !are_copies(pattern, copies, std::get<0>(piece), alike))
       continue;
     const auto order = [&](Index p) {  // of those turned over and of the others the first is worn

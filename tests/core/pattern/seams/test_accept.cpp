@@ -60,6 +60,16 @@ TEST(AcceptSeams, WhatFitsNowhereElseIsSewnBetweenPiecesThatHangTogether) {
   EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.6), (std::vector<bool>{true, true, true}));
 }
 
+TEST(AcceptSeams, WhichWayASeamRunsIsNoDoubtThatItIsOne) {
+  seams::SeamProposal one = proposal(0.4, {0, 2}, {2, 0}), other = proposal(0.35, {0, 2}, {2, 0});
+  other.seam.a[0].reversed = true;
+  const pattern::Pattern pattern = front_and_back_and({"collar"});
+  const std::vector<seams::SeamProposal> proposals{proposal(0.9, {0, 1}, {1, 3}), one, other};
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8), (std::vector<bool>{true, true, false}));
+  EXPECT_EQ(seams::sewn_to_wear(pattern, std::vector{proposals[0], one}, 0.8),
+            (std::vector<bool>{true, false}));
+}
+
 TEST(AcceptSeams, TheRestOfAnEdgeThatIsSewnInPartIsSewnWithIt) {
   const pattern::Pattern pattern = front_and_back_and({"sleeve"});
   seams::SeamProposal first = proposal(0.9, {0, 1}, {2, 3}), rest = proposal(0.6, {1, 3}, {2, 3});

@@ -246,6 +246,53 @@ TEST(ReadyToWear, ACollarOfRibThatEndsInFrontIsStretchedAlongTheNeck) {
   EXPECT_FALSE(worn.takes("Rib collar_mirrored.e0")) << "it lies on the other";
 }
 
+TEST(ReadyToWear, TheLongerEdgeOfAStandIsTheNecks) {
+  // A collar whose outer edge is as long as the neck.
+  const pattern::Panel stand =
+      piece("Collar stand", {{0, 0, Vec2{200, -25}}, {400, 0}, {380, 35, Vec2{200, 10}}, {20, 35}});
+  const pattern::Panel collar = piece("Collar", {{20, 0}, {380, 0}, {400, 60}, {0, 60}});
+  const seams::SeamModel m = seams::make_seam_model({{plain_top("Back", 600), stand, collar}, {}});
+  const Index neck = 4, lower = 8, upper = 10, inner = 12, outer = 14;
+  EXPECT_TRUE(seams::never_sewn(m, lower, outer));
+  EXPECT_TRUE(seams::never_sewn(m, lower, inner));
+  EXPECT_TRUE(seams::never_sewn(m, upper, neck));
+  EXPECT_FALSE(seams::never_sewn(m, lower, neck));
+  EXPECT_FALSE(seams::never_sewn(m, upper, inner));
+}
+
+TEST(ReadyToWear, AYokesEndIsOfTheArmhole) {
+  pattern::Panel yoke =
+      piece("Back yoke", {{-200, 0}, {200, 0}, {200, 90}, {75, 130, Vec2{0, 60}}, {-75, 130}, {-200, 90}});
+  const seams::SeamModel m = seams::make_seam_model(
+      {{plain_top("Front", 520), plain_top("Back lower", 600), yoke, plain_sleeve("Sleeve")}, {}});
+  for (const Index end : {8 + 8 + 1, 8 + 8 + 5})
+    EXPECT_FALSE(seams::never_sewn(m, end, 8 + 8 + 6 + 3)) << "although it begins at the yoke's lower edge";
+}
+
+TEST(ReadyToWear, AShapedWaistbandHangsFromItsShorterEdge) {
+  for (const double along : {1.0, -1.0}) {
+    pattern::Panel band =
+        piece("5521-WBF", {{0, 0, Vec2{200, -40}}, {400, 0}, {370, 90, Vec2{200, 55}}, {30, 90}});
+    band.grain = {along, 0};
+    const seams::SeamModel m = seams::make_seam_model({{band}, {}});
+    EXPECT_EQ(m.words[0].kind, PieceKind::kBand);
+    EXPECT_GT(m.up[0].y, 0.9) << "its longer edge lies on the hip";
+  }
+}
+
+TEST(ReadyToWear, ASleeveUnderANameOfNoLanguageIsToldByItsCap) {
+  const pattern::Panel sleeve = plain_sleeve("Xqz");
+  const auto words =
+      words_of({plain_top("Front", 520), plain_top("Back", 600), sleeve, mirrored(sleeve, "Xqz_mirrored")});
+  EXPECT_EQ(words[2].kind, PieceKind::kSleeve);
+  EXPECT_TRUE(words[3].limb);
+  const pattern::Panel pocket = piece("Xqz", {{0, 0}, {150, 0}, {150, 170}, {0, 170}});
+  EXPECT_EQ(
+      words_of({plain_top("Front", 520), plain_top("Back", 600), pocket, mirrored(pocket, "Xqz_mirrored")})[2]
+          .kind,
+      PieceKind::kOther);
+}
+
 TEST(ReadyToWear, TheRoundEdgeOfAFlatCollarIsItsOuterOne) {
   const pattern::Panel half = piece(
       "Collar", {{0, 0}, {0, 50, Vec2{-130, 50}, Vec2{-190, -20}}, {-110, -70, Vec2{-100, 0}, Vec2{-60, 0}}});
