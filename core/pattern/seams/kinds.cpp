@@ -40,13 +40,13 @@ bool in_one_row(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return m.rows[a.panel].row != kNone && m.rows[a.panel].row == m.rows[b.panel].row;
 }
 
-/// Whether the run is the upper edge of a back that hangs from a yoke over both shoulders: the neck is the
-/// yoke's.
+/// Whether the run is the upper edge of a back that hangs from a yoke, over both shoulders or the back's own:
+/// the neck is the yoke's.
 bool is_below_yoke(const SeamModel& m, const SeamRun& run) {
   if (m.words[run.panel].face >= 0 || run.up < kPairWeights.facing_fully) return false;
   if (run.turn.back() < kPairWeights.neck_deg) return false;  // hollow, as a neck
   return std::any_of(m.words.begin(), m.words.end(),
-                     [](const PieceWords& w) { return w.yoke && w.face == 0 && !w.layer; });
+                     [](const PieceWords& w) { return w.yoke && w.face <= 0 && !w.layer; });
 }
 
 /// Whether the run is of a bodice or its yoke and cannot be at its neck: it faces the side, slopes as a
@@ -62,16 +62,15 @@ bool is_off_neck(const SeamModel& m, const SeamRun& run) {
          (run.length > kShort && is_shoulder(m, run)) || (!parted_front && begins_at_hem(m, run));
 }
 
-/// Whether the runs are of a bodice and of a collar that sits on a stand, which goes around the neck: no back
-/// or yoke meets such a collar, and no front its ends, but for lapels.
+/// Whether the runs are of a bodice and of a collar that sits on a stand, which goes around the neck: only
+/// lapels meet such a collar.
 bool passes_stand(const SeamModel& m, const SeamRun& collar, const SeamRun& torso) {
-  constexpr double kEnd = 0.25;  // of its outline at most
   const PieceWords &upper = m.words[collar.panel], &lower = m.words[torso.panel];
   if (upper.kind != PieceKind::kCollar || upper.stand || upper.layer) return false;
-  const bool end = edge_length(collar) < kEnd * m.girth[collar.panel] && !is_lapel(m, torso.panel);
-  return (lower.yoke || (lower.kind == PieceKind::kTorso && (lower.face < 0 || end))) &&
-         std::any_of(m.words.begin(), m.words.end(),
-                     [](const PieceWords& w) { return w.kind == PieceKind::kCollar && w.stand && !w.layer; });
+  const bool bodice = lower.kind == PieceKind::kTorso && (lower.face < 0 || !is_lapel(m, torso.panel));
+  return (lower.yoke || bodice) && std::any_of(m.words.begin(), m.words.end(), [](const PieceWords& w) {
+           return w.kind == PieceKind::kCollar && w.stand && !w.layer;
+         });
 }
 
 bool on_limb(const PieceWords& words) { return words.limb || words.leg; }
@@ -319,10 +318,17 @@ bool closes_half_band(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
          !words.leg && m.twin[a.panel] != kNone && m.twin[a.panel] != a.panel;
 }
 
+/// Whether the yoke of a back or a front would be closed to a ring: its ends are the sides' or the sleeves'.
+bool closes_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords& words = m.words[a.panel];
+  return a.panel == b.panel && words.yoke && words.face != 0 && a.mirror_panel == a.panel &&
+         a.mirror_edge == b.edge;
+}
+
 /// Whether no garment has the two runs sewn to each other, whatever else it is.
 bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b) || closes_half_band(m, a, b) ||
-      misses_round_stand(m, a, b))
+      closes_yoke(m, a, b) || misses_round_stand(m, a, b))
     return true;
   if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))
     return true;
@@ -358,6 +364,8 @@ double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int ha
     return kPairWeights.insert_face * x.face * y.face + insert_merit(m, a, b);
   if (ka == PieceKind::kSleeve && kb == PieceKind::kSleeve)
     return !a.cap && !b.cap ? 0 : m.tailored ? kPairWeights.never_meet : kPairWeights.cap_to_sleeve;
+  if (ka == PieceKind::kCollar && kb == PieceKind::kCollar && x.layer != y.layer)
+    return kPairWeights.never_meet;  // an under collar takes nothing from the collar that it lies below
   if (ka == PieceKind::kCollar && kb == PieceKind::kCollar)
     return is_long_in_collar(m, a, b) && !is_fold_on_stand(m, a, b) ? kPairWeights.collar_long : 0;
   if (ka == PieceKind::kTorso && kb == PieceKind::kSleeve) return armhole_merit(m, a, b);

@@ -12,6 +12,7 @@ bool is_collar_on_stand(const PieceWords& words) {
 bool passes(const SeamModel& model, const SeamRun& stand, const SeamRun& other) {
   constexpr double kEnd = 0.25;  // of its outline at most is an end of a collar
   const int edge = round_stand_edge(model, stand);
+  if (edge < 0 && model.words[other.panel].kind == PieceKind::kCollar) return true;
   const bool collar = is_collar_on_stand(model.words[other.panel]);
   if (edge > 0 && collar) return edge_length(other) < kEnd * model.girth[other.panel];
   return edge != 0 && collar != (edge > 0);
@@ -20,11 +21,9 @@ bool passes(const SeamModel& model, const SeamRun& stand, const SeamRun& other) 
 }  // namespace
 
 int round_stand_edge(const SeamModel& model, const SeamRun& run) {
-  constexpr double kShaped = 0.98;  // of the longer edge
+  constexpr double kShaped = 0.98;  // of the longer edge at most is a shorter one at most is a shorter one
   const PieceWords& words = model.words[run.panel];
   if (words.kind != PieceKind::kCollar || !words.stand) return 0;
-  const double length = edge_length(run);
-  if (model.lines[run.panel] == 2) return length > model.girth[run.panel] / 2 ? 1 : -1;
   double longest = 0, second = 0;
   for (const SeamRun& other : model.runs) {
     if (other.panel != run.panel || other.from > 0) continue;
@@ -32,8 +31,11 @@ int round_stand_edge(const SeamModel& model, const SeamRun& run) {
     second = std::max(second, std::min(longest, here));
     longest = std::max(longest, here);
   }
-  if (length < second || second > kShaped * longest) return 0;
-  return length < longest ? 1 : -1;
+  const double length = edge_length(run);
+  const bool round = model.lines[run.panel] < 4;  // at both ends, or at one of a half
+  if (length < kShaped * second || (!round && second > kShaped * longest)) return 0;
+  const bool longer = length > (longest + second) / 2;  // lengths of parts are rounded
+  return longer == round ? 1 : -1;
 }
 
 bool misses_round_stand(const SeamModel& model, const SeamRun& a, const SeamRun& b) {

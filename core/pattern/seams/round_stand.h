@@ -8,8 +8,9 @@
 namespace toile::seams {
 
 /// Of a stand +1 for the edge on which the collar sits, −1 for the one that is sewn to the neck; 0 of
-/// anything else. Where the outline has two edges the upper one is longer, since it goes on around the round
-/// ends; else it is the shorter one of the two longest. Of a part the same as of its edge.
+/// anything else. They are its two longest. Where it has round ends and so no edges there (two edges in all,
+/// or three of a half), the upper one goes on around them and is longer, else it is the shorter one. Of a
+/// part the same as of its edge.
 int round_stand_edge(const SeamModel& model, const SeamRun& run);
 
 /// Whether one run is of such a stand's edge, and the other belongs to its other one: a collar sits with its
