@@ -58,8 +58,9 @@ bool is_off_neck(const SeamModel& m, const SeamRun& run) {
   if (words.kind != PieceKind::kTorso) return false;
   const bool parted_front = words.face >= 0 && m.twin[run.panel] != run.panel;
   constexpr double kShort = 40;  // mm: so short a part of a neck is as straight as a shoulder
+  const bool whole = run.from == 0 && run.to == 1;
   return hem || is_below_yoke(m, run) || from_side(m, run) < -kPairWeights.off_neck ||
-         (run.length > kShort && is_shoulder(m, run)) || (!parted_front && begins_at_hem(m, run));
+         ((whole || run.length > kShort) && is_shoulder(m, run)) || (!parted_front && begins_at_hem(m, run));
 }
 
 /// Whether the runs are of a bodice and of a collar that sits on a stand, which goes around the neck: only
