@@ -52,6 +52,7 @@ using Joined = std::pair<std::vector<std::array<double, 4>>, std::vector<std::ar
 Joined joined_by(const pattern::Seam& seam) {
   const auto told = [](const std::vector<pattern::SeamEdge>& side) {
     std::vector<std::array<double, 4>> parts;
+    parts.reserve(side.size());
     for (const pattern::SeamEdge& e : side)
       parts.push_back({static_cast<double>(e.panel), static_cast<double>(e.edge), e.from, e.to});
     std::sort(parts.begin(), parts.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/round_stand.h"
 #include "core/pattern/seams/weights.h"
 

@@ -35,6 +35,7 @@ std::optional<Strip> strip_of(const pattern::Panel& panel) {
     const pattern::PanelEdge& edge = panel.outline.edges[e];
     const Vec2 along = normalized(edge.curves.back().p3 - edge.curves.front().p0);
     std::vector<Vec2> seen;
+    seen.reserve(outline.size());
     for (const Vec2 p : outline) seen.push_back({dot(p, along), dot(p, across(along))});
     const Aabb2 box = bounding_box(seen);
     const Vec2 size = box.high - box.low;
