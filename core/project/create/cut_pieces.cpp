@@ -63,7 +63,9 @@ void fold_back(CutPieces& cut) {
 
 void fill_pockets(CutPieces& cut) {
   for (const PocketCorner& pocket : pocket_corners(cut.panels)) {
-    cut.panels[pocket.panel] = with_corner(cut.panels[pocket.panel], pocket);
+    pattern::Panel whole = with_corner(cut.panels[pocket.panel], pocket);
+    if (!pattern::validate(whole)) continue;
+    cut.panels[pocket.panel] = std::move(whole);
     cut.filled[pocket.panel] = 1;
     cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[pocket.panel].id) +
                                 " is cut away at a pocket between side and waist: it is drawn whole, as the "
@@ -74,7 +76,9 @@ void fill_pockets(CutPieces& cut) {
 void cut_underlaps(CutPieces& cut) {
   for (const Underlap& underlap : underlaps(cut.panels)) {
     pattern::Panel& band = cut.panels[underlap.panel];
-    band = without_underlap(band, underlap);
+    std::optional<pattern::Panel> rest = without_underlap(band, underlap);
+    if (!rest || !pattern::validate(*rest)) continue;
+    band = std::move(*rest);
     cut.filled[underlap.panel] = 1;
     cut.drawing.notes.push_back("piece " + in_quotes(band.id) + " is longer than its other half by " +
                                 std::to_string(std::lround(underlap.long_as)) +

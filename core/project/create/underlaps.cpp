@@ -94,7 +94,7 @@ std::vector<Underlap> underlaps(std::span<const pattern::Panel> panels) {
   return found;
 }
 
-pattern::Panel without_underlap(const pattern::Panel& band, const Underlap& underlap) {
+std::optional<pattern::Panel> without_underlap(const pattern::Panel& band, const Underlap& underlap) {
   const std::vector<Vec2> outline = pattern::flatten(band.outline, 0.1);
   double end = -HUGE_VAL;
   for (const Vec2 p : outline) end = std::max(end, dot(p, underlap.away));
@@ -103,7 +103,8 @@ pattern::Panel without_underlap(const pattern::Panel& band, const Underlap& unde
   const std::vector<pattern::PanelEdge>& edges = band.outline.edges;
   const std::size_t n = edges.size();
   std::size_t gone = 0;
-  while (stays(edges[gone].curves.front().p0) || stays(edges[gone].curves.back().p3)) ++gone;
+  while (gone < n && (stays(edges[gone].curves.front().p0) || stays(edges[gone].curves.back().p3))) ++gone;
+  if (gone == n) return std::nullopt;
   const pattern::PanelEdge &before = edges[(gone + n - 1) % n], &after = edges[(gone + 1) % n];
   const auto on_cut = [&](Vec2 corner) {
     return corner - (dot(corner, underlap.away) - cut) * underlap.away;
@@ -111,6 +112,7 @@ pattern::Panel without_underlap(const pattern::Panel& band, const Underlap& unde
   const Vec2 from = on_cut(after.curves.front().p0), to = on_cut(before.curves.back().p3);
   pattern::Panel rest = band;
   const std::vector<pattern::PanelEdge> left = pattern::edges_between(band.outline, from, to);
+  if (left.size() + 1 != n) return std::nullopt;
   for (std::size_t k = 0; k < left.size(); ++k)
     rest.outline.edges[(gone + 1 + k) % n].curves = left[k].curves;
   rest.outline.edges[gone].curves = {

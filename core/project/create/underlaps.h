@@ -1,6 +1,7 @@
 #pragma once
 // Waistbands in two halves, one of which is longer: its end lies under the other's where they are closed.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct Underlap {
 /// of bands that look alike at both ends either.
 std::vector<Underlap> underlaps(std::span<const pattern::Panel> panels);
 
-/// The band without it. Its edges keep their names.
-pattern::Panel without_underlap(const pattern::Panel& band, const Underlap& underlap);
+/// The band without it. Its edges keep their names. Nothing where its end slants by more than it laps over.
+std::optional<pattern::Panel> without_underlap(const pattern::Panel& band, const Underlap& underlap);
 
 }  // namespace toile::create

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "core/pattern/validate.h"
@@ -32,8 +33,9 @@ TEST(Underlaps, AreCutOffAtTheNotch) {
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].panel, 1);
     EXPECT_NEAR(found[0].long_as, 40, 1e-6);
-    const pattern::Panel rest = create::without_underlap(right, found[0]);
-    ASSERT_TRUE(pattern::validate(rest).ok());
+    const std::optional<pattern::Panel> cut = create::without_underlap(right, found[0]);
+    ASSERT_TRUE(cut && pattern::validate(*cut).ok());
+    const pattern::Panel& rest = *cut;
     ASSERT_EQ(rest.outline.edges.size(), 4u);
     for (int e = 0; e < 4; ++e) {
       EXPECT_EQ(rest.outline.edges[e].id, right.outline.edges[e].id);
@@ -44,6 +46,15 @@ TEST(Underlaps, AreCutOffAtTheNotch) {
     for (const pattern::PanelEdge& edge : rest.outline.edges) high = std::max(high, edge.curves[0].p0.x);
     EXPECT_NEAR(high, far ? 440 : 480, 0.1) << "the end at the notch is gone";
   }
+}
+
+TEST(Underlaps, StayWhereTheEndSlantsByMoreThanThem) {
+  const pattern::Panel left = strip("Waistband left", 1500, 40);
+  const pattern::Panel slanted =
+      garments::piece("Waistband right", {{0, 0}, {1495, 0}, {1520, 40}, {25, 40}});
+  const auto found = underlaps_of({left, slanted});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_FALSE(create::without_underlap(slanted, found[0]));
 }
 
 TEST(Underlaps, AreNoneWhereNothingTellsThem) {
