@@ -71,15 +71,16 @@ std::optional<PocketCorner> corner_by_lines(const pattern::Panel& front, const s
 
 /// The curves of that part of the edge, shares of its length.
 std::vector<pattern::CubicBezier> part_of(const pattern::PanelEdge& edge, double from, double to) {
+  constexpr double kWhole = 1e-6;  // mm; a curve that is taken whole keeps its ends exactly
   const double all = pattern::arc_length(edge);
   std::vector<pattern::CubicBezier> curves;
   double start = 0;
   for (pattern::CubicBezier curve : edge.curves) {
     const double here = pattern::arc_length(curve), first = from * all - start, last = to * all - start;
     start += here;
-    if (last <= 0 || first >= here) continue;
-    if (last < here) curve = pattern::split(curve, pattern::parameter_at_length(curve, last)).first;
-    if (first > 0) curve = pattern::split(curve, pattern::parameter_at_length(curve, first)).second;
+    if (last <= kWhole || first >= here - kWhole) continue;
+    if (last < here - kWhole) curve = pattern::split(curve, pattern::parameter_at_length(curve, last)).first;
+    if (first > kWhole) curve = pattern::split(curve, pattern::parameter_at_length(curve, first)).second;
     curves.push_back(curve);
   }
   return curves;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/pattern/curve.h"
 #include "core/pattern/validate.h"
 #include "core/project/create/pocket_corners.h"
 #include "tests/core/project/create/slashed_trousers.h"
@@ -64,6 +65,19 @@ pattern::Panel facing_with_mouth(Vec2 from, Vec2 to) {
   pattern::Panel facing = garments::piece("Pocket facing", {{0, 0}, {40, -20}, {40, 160}, {-60, 160}});
   facing.lines = {{"mouth", {from, to}, true}};
   return facing;
+}
+
+TEST(PocketCorners, OutlinesStayClosedWhereAMouthIsOfSeveralCurves) {
+  const pattern::Panel facing = garments::piece("Pocket facing", {{0, 0}, {60, 0}, {60, 200}, {0, 200}});
+  for (const double at : {0.1, 1.0 / 3, 0.7}) {
+    pattern::Panel front = garments::slashed_front(840);
+    const auto [first, second] = pattern::split(front.outline.edges[2].curves[0], at);
+    front.outline.edges[2].curves = {first, second};
+    const std::vector<pattern::Panel> panels{front, garments::back_of_trousers(1000), facing};
+    const std::vector<create::PocketCorner> corners = create::pocket_corners(panels);
+    ASSERT_EQ(corners.size(), 1u);
+    EXPECT_TRUE(pattern::validate(create::with_corner(front, corners[0]))) << at;
+  }
 }
 
 TEST(PocketCorners, TheLineOnAFacingTellsWhereASmoothMouthBegins) {
