@@ -61,4 +61,20 @@ std::vector<PanelEdge> edges_between(const Loop& loop, Vec2 from, Vec2 to) {
   return out;
 }
 
+std::vector<CubicBezier> curves_between(const PanelEdge& edge, double from, double to) {
+  constexpr double kWhole = 1e-6;  // mm; a curve that is taken whole keeps its ends exactly
+  const double all = arc_length(edge);
+  std::vector<CubicBezier> curves;
+  double start = 0;
+  for (CubicBezier curve : edge.curves) {
+    const double here = arc_length(curve), first = from * all - start, last = to * all - start;
+    start += here;
+    if (last <= kWhole || first >= here - kWhole) continue;
+    if (last < here - kWhole) curve = split(curve, parameter_at_length(curve, last)).first;
+    if (first > kWhole) curve = split(curve, parameter_at_length(curve, first)).second;
+    curves.push_back(curve);
+  }
+  return curves;
+}
+
 }  // namespace toile::pattern

@@ -7,8 +7,8 @@
 #include "core/pattern/seams/bodice.h"
 #include "core/pattern/seams/cuts.h"
 #include "core/pattern/seams/likeness.h"
+#include "core/pattern/seams/never_meet.h"
 #include "core/pattern/seams/roles.h"
-#include "core/pattern/seams/round_stand.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
@@ -258,86 +258,6 @@ bool takes_both_halves(const SeamModel& m, Index i, Index j) {
   };
   return takes(i, j) || takes(j, i);
 }
-
-namespace {
-
-/// Whether both are the long edges of one strip, which would make a hose of it.
-bool are_along_strip(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  constexpr double kLong = 0.4;  // of the outline
-  if (a.panel != b.panel || m.lines[a.panel] != 4) return false;
-  const auto is_long = [&](const SeamRun& run) {  // or a part of one
-    return run.length > kLong * (run.to - run.from) * m.girth[run.panel];
-  };
-  return is_long(a) && is_long(b);
-}
-
-/// Whether both are of the left and the right leg, of the same half, and lie away from the crotch.
-bool are_outer_legs(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  if (a.panel == b.panel || m.twin[a.panel] != b.panel) return false;
-  const auto is_outer = [&](const SeamRun& run) {
-    return m.crotch_side[run.panel] * faces_right(m, run) < -kPairWeights.facing;
-  };
-  return is_outer(a) && is_outer(b);
-}
-
-/// Whether the run is around the face: straight, beside a longer edge of the hood that goes over the head.
-bool is_face_of_hood(const SeamModel& m, const SeamRun& run) {
-  constexpr double kStraight = 10, kOverHead = 30;  // degrees
-  if (m.words[run.panel].kind != PieceKind::kHood || std::abs(run.turn.back()) > kStraight) return false;
-  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
-    return other.panel == run.panel && other.turn.back() > kOverHead && other.length > run.length;
-  });
-}
-
-/// Whether the two are the upper edges of a front and a back in their middles: the head goes through there.
-bool shut_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  const auto is_upper = [&](const SeamRun& run) {
-    return m.words[run.panel].kind == PieceKind::kTorso && m.upright[run.panel] &&
-           run.up > kPairWeights.facing && run.mirror_panel == run.panel && run.mirror_edge == run.edge;
-  };
-  return m.words[a.panel].face * m.words[b.panel].face < 0 && is_upper(a) && is_upper(b);
-}
-
-/// Whether they are of two cuffs that go around a limb each: what is drawn in halves has faces.
-bool are_of_two_cuffs(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
-  return a.panel != b.panel && x.kind == PieceKind::kCuff && y.kind == PieceKind::kCuff && x.face == 0 &&
-         y.face == 0 && !x.layer && !y.layer && m.lines[a.panel] == m.lines[b.panel] &&
-         equally_long(m.girth[a.panel], m.girth[b.panel]);
-}
-
-/// Whether a cuff would be closed to a ring that no hand passes.
-bool is_too_tight(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  return a.panel == b.panel && m.words[a.panel].kind == PieceKind::kCuff &&
-         (m.girth[a.panel] - a.length - b.length) / 2 < kPairWeights.least_ring_mm;
-}
-
-/// Whether one half of a waistband would be closed to a ring of its own: its ends are the other half's.
-bool closes_half_band(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  const PieceWords& words = m.words[a.panel];
-  return a.panel == b.panel && words.kind == PieceKind::kBand && words.side != 0 && !words.limb &&
-         !words.leg && m.twin[a.panel] != kNone && m.twin[a.panel] != a.panel;
-}
-
-/// Whether the yoke of a back or a front would be closed to a ring: its ends are the sides' or the sleeves'.
-bool closes_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  const PieceWords& words = m.words[a.panel];
-  return a.panel == b.panel && words.yoke && words.face != 0 && a.mirror_panel == a.panel &&
-         a.mirror_edge == b.edge;
-}
-
-/// Whether no garment has the two runs sewn to each other, whatever else it is.
-bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
-  if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b) || closes_half_band(m, a, b) ||
-      closes_yoke(m, a, b) || misses_round_stand(m, a, b))
-    return true;
-  if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))
-    return true;
-  const bool shuts_hood = m.twin[a.panel] == b.panel && is_face_of_hood(m, a) && is_face_of_hood(m, b);
-  return shuts_hood || shut_neck(m, a, b) || are_along_strip(m, a, b) || are_outer_legs(m, a, b);
-}
-
-}  // namespace
 
 double kind_merit(const SeamModel& m, const SeamRun& a, const SeamRun& b, int hangs) {
   if (never_meet(m, a, b)) return kPairWeights.never_meet;

@@ -6,6 +6,7 @@
 
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/loop_part.h"
 #include "core/pattern/seams/model.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/shapes.h"
@@ -69,23 +70,6 @@ std::optional<PocketCorner> corner_by_lines(const pattern::Panel& front, const s
   return std::nullopt;
 }
 
-/// The curves of that part of the edge, shares of its length.
-std::vector<pattern::CubicBezier> part_of(const pattern::PanelEdge& edge, double from, double to) {
-  constexpr double kWhole = 1e-6;  // mm; a curve that is taken whole keeps its ends exactly
-  const double all = pattern::arc_length(edge);
-  std::vector<pattern::CubicBezier> curves;
-  double start = 0;
-  for (pattern::CubicBezier curve : edge.curves) {
-    const double here = pattern::arc_length(curve), first = from * all - start, last = to * all - start;
-    start += here;
-    if (last <= kWhole || first >= here - kWhole) continue;
-    if (last < here - kWhole) curve = pattern::split(curve, pattern::parameter_at_length(curve, last)).first;
-    if (first > kWhole) curve = pattern::split(curve, pattern::parameter_at_length(curve, first)).second;
-    curves.push_back(curve);
-  }
-  return curves;
-}
-
 }  // namespace
 
 std::vector<PocketCorner> pocket_corners(std::span<const pattern::Panel> panels) {
@@ -108,13 +92,13 @@ pattern::Panel with_corner(const pattern::Panel& front, const PocketCorner& pock
   pattern::Panel whole = front;
   std::vector<pattern::PanelEdge>& edges = whole.outline.edges;
   const std::size_t n = edges.size(), at = static_cast<std::size_t>(pocket.mouth);
-  const pattern::PanelEdge cut = edges[at], mouth{"", part_of(cut, pocket.from, pocket.to)};
+  const pattern::PanelEdge cut = edges[at], mouth{"", pattern::curves_between(cut, pocket.from, pocket.to)};
   const pattern::CubicBezier on = pattern::line_segment(mouth.curves.front().p0, pocket.corner),
                              back = pattern::line_segment(pocket.corner, mouth.curves.back().p3);
   std::vector<pattern::CubicBezier>&before = edges[pocket.from > 0 ? at : (at + n - 1) % n].curves,
   &after = edges[pocket.to < 1 ? at : (at + 1) % n].curves;
-  if (pocket.from > 0) before = part_of(cut, 0, pocket.from);
-  if (pocket.to < 1) after = part_of(cut, pocket.to, 1);
+  if (pocket.from > 0) before = pattern::curves_between(cut, 0, pocket.from);
+  if (pocket.to < 1) after = pattern::curves_between(cut, pocket.to, 1);
   before.push_back(on);
   after.insert(after.begin(), back);
   if (pocket.from == 0 && pocket.to == 1) edges.erase(edges.begin() + pocket.mouth);

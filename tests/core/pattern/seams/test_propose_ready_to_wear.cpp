@@ -233,6 +233,18 @@ TEST(ReadyToWear, HalvesOfAWaistbandAreClosedBeforeAndBehind) {
   EXPECT_TRUE(worn.has({"Waistband left.e3"}, {"Waistband right.e1"})) << worn.text();
 }
 
+TEST(ReadyToWear, HalvesOfAWaistbandGoAroundNoLegEach) {
+  const pattern::Panel front = piece(
+      "Front", {{0, 0}, {220, 0}, {230, 300}, {200, 500}, {0, 500, Vec2{0, 380}, Vec2{0, 300}}, {-60, 290}});
+  const pattern::Panel back = piece(
+      "Back", {{0, 0}, {240, 0}, {250, 300}, {225, 500}, {30, 520, Vec2{0, 400}, Vec2{0, 310}}, {-90, 285}});
+  const double half = garments::length_of(front, 3) + garments::length_of(back, 3);
+  const WornSeams worn({front, mirrored(front, "Front_mirrored"), back, mirrored(back, "Back_mirrored"),
+                        strip("Waistband left", half, 40), strip("Waistband right", half, 40)});
+  EXPECT_TRUE(worn.has({"Waistband left.e1"}, {"Waistband right.e3"})) << worn.text();
+  EXPECT_TRUE(worn.has({"Waistband left.e3"}, {"Waistband right.e1"})) << worn.text();
+}
+
 TEST(ReadyToWear, ACollarOfRibThatEndsInFrontIsStretchedAlongTheNeck) {
   const pattern::Panel front = plain_top("Front", 520), back = plain_top("Back", 600);
   const double along = 0.85 * (garments::length_of(front, 4) + garments::length_of(back, 4));
