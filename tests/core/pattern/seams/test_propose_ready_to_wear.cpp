@@ -199,6 +199,19 @@ TEST(ReadyToWear, NothingIsSewnToAFoldButTheOtherFrontsBand) {
   EXPECT_LT(seams::make_seam_model({{cuff}, {}}).up[0].y, -0.9) << "a cuff's below";
 }
 
+TEST(ReadyToWear, AFrontBandIsNoFrontAndKeepsTheNeckOpen) {
+  pattern::Panel band = strip("FRONT BAND", 725, 65);
+  band.outline.edges[2].id = pattern::kFoldEdge;
+  const Panels panels{plain_top("Front", 520), plain_top("Back", 600), band,
+                      mirrored(band, "FRONT BAND_mirrored")};
+  const auto words = words_of(panels);
+  EXPECT_EQ(words[2].face, 0);
+  EXPECT_EQ(words[2].kind, PieceKind::kOther);
+  const WornSeams worn(panels);
+  EXPECT_FALSE(worn.has({"FRONT BAND.fold"}, {"FRONT BAND_mirrored.fold"})) << worn.text();
+  EXPECT_FALSE(worn.has({"FRONT BAND.e0"}, {"FRONT BAND_mirrored.e0"})) << worn.text();
+}
+
 TEST(ReadyToWear, AFrontBandGoesUpToTheMiddleOfTheBacksNeck) {
   const pattern::Panel half_front = piece("Front", {{-60, -500},
                                                     {250, -500},
