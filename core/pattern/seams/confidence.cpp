@@ -83,26 +83,28 @@ bool is_middle_of_back(const SeamModel& m, const FoundSeam& seam) {
          m.words[b.panel].face < 0;
 }
 
-/// Whether the seam joins ends of the two halves of a waistband.
-bool joins_band(const SeamModel& m, const FoundSeam& seam) {
-  if (seam.a.size() != 1 || seam.b.size() != 1 || m.mirror[seam.a[0]] != seam.b[0]) return false;
+/// Whether the seam joins the two halves of a waistband, or of a hood.
+bool joins_band_or_hood(const SeamModel& m, const FoundSeam& seam) {
+  for (std::size_t k = 0; k < seam.a.size(); ++k)
+    if (m.mirror[seam.a[k]] != seam.b[k]) return false;
   const Index p = m.runs[seam.a[0]].panel, q = m.runs[seam.b[0]].panel;
-  return p != q && m.words[p].kind == PieceKind::kBand && m.words[q].kind == PieceKind::kBand;
+  const PieceKind kind = m.words[p].kind;
+  return p != q && m.words[q].kind == kind && (kind == PieceKind::kBand || kind == PieceKind::kHood);
 }
 
 /// Fronts may stay open in the middle; a back that is cut in two halves does not, if it is sewn to anything,
-/// and neither does a waistband, which is closed when it is worn.
+/// and neither does a waistband, which is closed when it is worn, or a hood over the head.
 void share_with_sides(FoundSeams& found) {
   const SeamModel& m = found.model;
   for (FoundSeam& middle : found.seams) {
-    const bool band = joins_band(m, middle);
-    if (!band && !is_middle_of_back(m, middle)) continue;
+    const bool closed = joins_band_or_hood(m, middle);
+    if (!closed && !is_middle_of_back(m, middle)) continue;
     const Index half = m.runs[middle.a[0]].panel, other = m.runs[middle.b[0]].panel;
     const bool only = std::count_if(found.seams.begin(), found.seams.end(), [&](const FoundSeam& seam) {
                         return is_middle_of_back(m, seam) &&
                                (m.runs[seam.a[0]].panel == half || m.runs[seam.a[0]].panel == other);
                       }) == 1;
-    if (!only && !band) continue;
+    if (!only && !closed) continue;
     double surest = 0;
     for (const FoundSeam& seam : found.seams) {
       const Index p = m.runs[seam.a[0]].panel, q = m.runs[seam.b[0]].panel;

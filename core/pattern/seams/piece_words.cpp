@@ -136,6 +136,17 @@ void tell_letter_pairs(const pattern::Pattern& pattern, std::vector<PieceWords>&
   }
 }
 
+/// A waistband of what has sleeves, and neither a skirt nor legs, is where the top ends below.
+void tell_bands_that_end_tops(std::vector<PieceWords>& all) {
+  using enum PieceKind;
+  const auto any = [&](PieceKind kind) {
+    return std::any_of(all.begin(), all.end(), [&](const PieceWords& words) { return words.kind == kind; });
+  };
+  if (!any(kSleeve) || any(kSkirt) || any(kLegs)) return;
+  for (PieceWords& words : all)
+    if (words.kind == kBand) words.hem_band = true;
+}
+
 }  // namespace
 
 bool is_tied(const PieceWords& words) {
@@ -232,6 +243,7 @@ std::vector<PieceWords> words_of_garment(const pattern::Pattern& pattern) {
   if (common && all.size() >= kGarment)
     for (PieceWords& words : all) words.side = 0;
   tell_letter_pairs(pattern, all);
+  tell_bands_that_end_tops(all);
   for (std::size_t p = 0; p < all.size(); ++p)
     if (lower_case(pattern.panels[p].id).find("_mirrored") != std::string::npos) all[p].side = -all[p].side;
   return all;

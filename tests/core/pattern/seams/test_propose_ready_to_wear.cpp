@@ -67,6 +67,28 @@ TEST(ReadyToWear, AHoodsFaceIsInFront) {
   EXPECT_TRUE(worn.has({"Front.e4", "Front.e4", "Back.e4"}, {"Hood.e0", "Hood_2.e0"})) << worn.text();
 }
 
+TEST(ReadyToWear, AHoodWithANotchAtItsCrownIsClosedOverTheHead) {
+  const double neck = garments::length_of(plain_top("", 520), 4) + garments::length_of(plain_top("", 600), 4);
+  pattern::Panel half =
+      piece("Hood", {{0, 0}, {neck / 2, 0, Vec2{neck / 2 + 40, 380}, Vec2{150, 420}}, {0, 330}});
+  half.notches = {{pattern::evaluate(half.outline.edges[1].curves[0], 0.5), 0, {}}};
+  const pattern::Panel sleeve = plain_sleeve("Sleeve");
+  const WornSeams worn({plain_top("Front", 520), plain_top("Back", 600), sleeve, mirrored(sleeve, "Sleeve_2"),
+                        half, mirrored(half, "Hood_2")});
+  EXPECT_TRUE(worn.has({"Hood.e1"}, {"Hood_2.e1"})) << worn.text();
+}
+
+TEST(ReadyToWear, AWaistbandOfATopEndsItBelow) {
+  pattern::Panel rib = strip("RIB CINTURA", 954, 65);
+  rib.outline.edges[0].id = pattern::kFoldEdge;
+  const Panels top{plain_top("Front", 520), plain_top("Back", 600), plain_sleeve("Sleeve"), rib};
+  EXPECT_TRUE(words_of(top)[3].hem_band);
+  EXPECT_GT(seams::make_seam_model({top, {}}).up[3].y, 0.9) << "its fold is below";
+  Panels dress = top;
+  dress.push_back(strip("Skirt", 900, 600));
+  EXPECT_FALSE(words_of(dress)[3].hem_band);
+}
+
 TEST(ReadyToWear, SidesOfABodiceAreNoLegs) {
   // A waistcoat in eight: a front's and a back's middle and side, each side below an armhole as hollow as a
   // crotch.
