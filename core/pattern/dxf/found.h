@@ -2,6 +2,8 @@
 // Pieces in the making: what one pass over a place's lines hands to the next.
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/pattern/dxf/chains.h"
@@ -10,11 +12,18 @@
 
 namespace toile::dxf {
 
+/// What may be a piece's name.
+struct DxfTitle {
+  std::string text;
+  std::optional<std::size_t> entity;  ///< that says it; none where it is the name of a block
+};
+
 /// A piece with what the report has to know of it.
 struct DxfFound {
   DxfPiece piece;
   int id = 0;                         ///< its number in the log
   std::vector<std::size_t> entities;  ///< those of its outline
+  std::vector<DxfTitle> titles = {};  ///< words that stand in it or beside it, the likeliest first
 };
 
 /// A piece among the loops that it was made from; these outlive it.

@@ -62,7 +62,8 @@ void count(DxfPiece& piece, const DxfQuantity& quantity) {
 
 /// "Quantity: 2" and the like.
 std::string take_quantity(DxfFound& found, const std::string& value, int line, DxfNotes& notes) {
-  const auto quantity = quantity_of(value);
+  auto quantity = told_quantity(value);  // "CUT 2", "1 paire"
+  if (!quantity) quantity = quantity_of(value);
   if (!quantity || quantity->as_drawn + quantity->mirrored < 1) {
     notes.warn(line, "the quantity says '" + value + "'; one piece is read", found.id);
     return "quantity, of no use";
@@ -175,8 +176,11 @@ DxfNamed named_by_place(std::vector<DxfFound> pieces, const DxfPlace& place, dou
     named.notes.add(std::move(more.notes));
     for (const DxfText& text : rest) taken.insert(text.entity);
   }
-  for (DxfFound& found : named.pieces)
-    if (found.piece.name.empty() && !is_lost(place.name)) found.piece.name = place.name;
+  for (DxfFound& found : named.pieces) {
+    if (is_lost(place.name)) continue;
+    if (found.piece.name.empty()) found.piece.name = place.name;
+    found.titles.push_back({place.name, std::nullopt});
+  }
   return named;
 }
 
@@ -186,7 +190,7 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
   DxfNamed named{std::move(pieces), {}};
   std::vector<Aabb2> boxes;
   for (const DxfFound& p : named.pieces) boxes.push_back(bounding_box(p.piece.outline));
-  std::vector<std::optional<Title>> titles(named.pieces.size());
+  std::vector<std::vector<Title>> titles(named.pieces.size());
   for (std::size_t t = 0; t < texts.size(); ++t) {
     const DxfText& text = texts[t];
     if (log.is_marked(text.entity)) continue;
@@ -211,14 +215,17 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
       count(found.piece, *quantity);
       named.notes.mark(text.entity, DxfFate::kConverted, "quantity", found.id);
     }
-    std::optional<Title>& best = titles[nearest->piece];
-    if (!best || title.better(*best)) best = title;
+    titles[nearest->piece].push_back(std::move(title));
   }
   for (std::size_t i = 0; i < titles.size(); ++i) {
     DxfFound& found = named.pieces[i];
-    if (!titles[i] || !found.piece.name.empty() || is_lost(titles[i]->name)) continue;
-    found.piece.name = titles[i]->name;
-    named.notes.mark(titles[i]->entity, DxfFate::kConverted, "name of the piece", found.id);
+    std::stable_sort(titles[i].begin(), titles[i].end(),
+                     [](const Title& a, const Title& b) { return a.better(b); });
+    if (!found.piece.name.empty() || titles[i].empty() || is_lost(titles[i][0].name)) continue;
+    found.piece.name = titles[i][0].name;
+    named.notes.mark(titles[i][0].entity, DxfFate::kConverted, "name of the piece", found.id);
+    for (const Title& title : titles[i])
+      if (title.named && !titles[i][0].stated) found.titles.push_back({title.name, title.entity});
   }
   return named;
 }

@@ -18,6 +18,7 @@
 #include "core/pattern/dxf/pieces.h"
 #include "core/pattern/dxf/places.h"
 #include "core/pattern/dxf/repair.h"
+#include "core/pattern/dxf/shared_titles.h"
 #include "core/pattern/dxf/sizes.h"
 #include "core/pattern/dxf/units.h"
 
@@ -169,6 +170,8 @@ Result<Attempt> read_all(const Drawing& drawing, const DxfReading& reading) {
   Attempt attempt = TRY(pieces_in_places(drawing, reading));
   const DxfTransform to_mm = DxfTransform{}.scaled(reading.mm_per_unit);
   DxfNamed named = named_by_texts(std::move(attempt.pieces), drawing.file.entities.texts, to_mm, attempt.log);
+  attempt.log.take(named.notes);
+  named = named_by_what_differs(std::move(named.pieces));
   attempt.log.take(named.notes);
   named.pieces = named_apart(counted_by_names(std::move(named.pieces)));
   for (const DxfFound& found : named.pieces) attempt.names[std::size_t(found.id)] = found.piece.name;

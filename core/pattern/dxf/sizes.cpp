@@ -40,13 +40,21 @@ std::set<std::string> nested_stems(const std::vector<DxfPlace>& places) {
   return nested;
 }
 
-/// Whether endings say where on the body a part belongs, and no size among them.
-bool are_places(const std::set<std::string>& endings) {
-  static const std::set<std::string> kPlaces{"l",     "r",     "left", "right", "lh",    "rh",   "f",
-                                             "b",     "fr",    "bk",   "front", "back",  "top",  "under",
-                                             "upper", "lower", "in",   "out",   "inner", "outer"};
-  return std::all_of(endings.begin(), endings.end(),
-                     [](const std::string& ending) { return kPlaces.contains(lower_case(ending)); });
+/// Whether the ending is as sizes are: a figure among it, "XL", "medium".
+bool is_like_size(const std::string& ending) {
+  static const std::set<std::string> kSizes{"s",      "m",       "l",    "small", "medium", "large",
+                                            "petite", "regular", "tall", "short", "long",   "uni"};
+  const std::string text = lower_case(ending);
+  if (std::any_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; })) return true;
+  const std::size_t begins = text.find_first_not_of('x');
+  return kSizes.contains(text) || (begins != std::string::npos && begins > 0 && begins + 1 == text.size() &&
+                                   kSizes.contains(text.substr(begins)));
+}
+
+/// Whether all endings are; but "L" and "R" are left and right.
+bool are_sizes(const std::set<std::string>& endings) {
+  const bool sides = endings.size() == 2 && endings.contains("R");
+  return !sides && std::all_of(endings.begin(), endings.end(), is_like_size);
 }
 
 /// The places with the sizes that their blocks' names end with: "FRONT_42" is size 42 of FRONT where FRONT
@@ -68,7 +76,7 @@ std::vector<DxfPlace> with_sizes_from_names(std::vector<DxfPlace> places, const 
     const bool in_sizes = some.size() > 1 && sample_is_there && some.contains(sample);
     const bool sample_only = some.size() == 1 && place.ending == sample;
     const bool recurs = some.size() > 1 && endings.size() > 1 && uses[place.ending] > 1 &&
-                        nested.contains(stem) && !are_places(some);
+                        nested.contains(stem) && are_sizes(some);
     if (!in_sizes && !sample_only && !recurs) continue;
     place.size = place.ending;
     if (!place.name_is_stated) place.name = stem;

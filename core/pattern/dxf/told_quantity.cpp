@@ -22,7 +22,7 @@ constexpr std::string_view kCountWords =
     ";pc;pcs;piece;pieces;pce;pces;pieza;piezas;peca;pecas;pezzo;pezzi;pz;stk;stck;stuck;stueck;stuks;styck;"
     "szt;sztuk;sztuki;ks;kusy;kus;adet;kpl;kappaletta;db;darab;buc;bucati;kom;komada;kosa;sht;det;detali;"
     "mal;fois;vez;veces;vezes;volte;keer;krat;raz;razy;times;kez;gange;ganger;";
-constexpr std::string_view kPairWords = ";pair;paire;par;pari;paar;coppia;paru;pereche;cift;";
+constexpr std::string_view kPairWords = ";pair;paire;par;pari;paar;paio;coppia;paru;pereche;cift;";
 constexpr std::string_view kManyPairWords = ";pairs;paires;pares;paare;coppie;pary;perechi;";
 constexpr std::string_view kFoldWords =
     ";fold;bruch;stoffbruch;pli;pliure;doblez;dobra;piega;ripiegata;stoffplooi;stofvouw;vouw;zgiecie;zgieciu;"
@@ -30,7 +30,8 @@ constexpr std::string_view kFoldWords =
     "vikning;tygvikning;fold;stoffold;sgib;sgibom;presavijen;pregib;";
 /// Beside all these, where a text tells of nothing but how often a piece is cut.
 constexpr std::string_view kBesideWords =
-    ";x;on;the;of;in;im;am;auf;au;aux;al;a;sur;sul;na;so;po;v;do;w;ve;i;and;und;et;y;e;mirrored;mirror;"
+    ";x;on;the;of;in;aan;de;het;op;para;bias;biais;schuin;sbieco;schrag;lesie;im;am;auf;au;aux;al;a;sur;sul;"
+    "na;so;po;v;do;w;ve;i;and;und;et;y;e;mirrored;mirror;"
     "gespiegelt;"
     "spiegelbildlich;gegengleich;zerkalno;zrcadlove;zrcadlovo;aynali;spegelvand;spegelvant;speculare;"
     "speculari;"
@@ -38,6 +39,12 @@ constexpr std::string_view kBesideWords =
 
 bool is_among(std::string_view list, const std::string& word) {
   return list.find(";" + word + ";") != std::string_view::npos;
+}
+
+/// Whether the word is one of the list's, or the beginning of one: "tagl", "cort".
+bool begins_one(std::string_view list, const std::string& word) {
+  constexpr std::size_t kLeast = 4;  // letters
+  return is_among(list, word) || (word.size() >= kLeast && list.find(";" + word) != std::string_view::npos);
 }
 
 /// A row of digits or of letters.
@@ -78,8 +85,10 @@ int counted_by(const std::vector<Token>& tokens) {
     if (crossed) continue;                // "5 x 5" are lengths
     const int figure = tokens[i].figure;  // "2 (pair)" are two, "2 pairs" four
     if (is_among(kManyPairWords, after)) return 2 * figure;
-    if (is_among(kPairWords, after)) return figure % 2 == 0 ? figure : 2 * figure;
-    if (before == "x" || after == "x" || is_among(kCutWords, before) || is_among(kCountWords, after))
+    const bool last = i + 2 == tokens.size();  // "2 para forro" are two for a lining
+    if (is_among(kPairWords, after) || (last && after == "para"))
+      return figure % 2 == 0 ? figure : 2 * figure;
+    if (before == "x" || after == "x" || begins_one(kCutWords, before) || is_among(kCountWords, after))
       return figure;
   }
   return 0;
@@ -102,9 +111,8 @@ bool tells_only_quantity(std::string_view text) {
   if (!told_quantity(text)) return false;
   const std::vector<Token> tokens = tokens_of(text);
   return std::all_of(tokens.begin(), tokens.end(), [](const Token& t) {
-    if (t.is_figure()) return true;
-    for (const std::string_view list :
-         {kCutWords, kCountWords, kPairWords, kManyPairWords, kFoldWords, kBesideWords})
+    if (t.is_figure() || begins_one(kCutWords, t.text)) return true;
+    for (const std::string_view list : {kCountWords, kPairWords, kManyPairWords, kFoldWords, kBesideWords})
       if (is_among(list, t.text)) return true;
     return false;
   });

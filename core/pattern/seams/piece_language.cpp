@@ -8,6 +8,7 @@
 
 #include "core/base/latin_letters.h"
 #include "core/base/text.h"
+#include "core/pattern/seams/abbreviations.h"
 #include "core/pattern/seams/piece_terms.h"
 
 namespace toile::seams {
@@ -74,13 +75,15 @@ std::string without_transcriptions(std::string_view word) {
   return out;
 }
 
-/// Empty where neither the word nor parts of it are known: more parts are more likely what is meant.
+/// Empty where neither the word nor parts of it are known, and it shortens none: more parts are more likely
+/// what is meant.
 std::string english_word(const std::string& word) {
   const std::string plain = without_transcriptions(word);
   for (const std::string& spelled : {word, plain})
     if (const auto told = english_of(spelled)) return std::string(*told);
   const std::string parts = english_parts(word), plain_parts = english_parts(plain);
-  return plain_parts.size() > parts.size() ? plain_parts : parts;
+  if (!parts.empty() || !plain_parts.empty()) return plain_parts.size() > parts.size() ? plain_parts : parts;
+  return std::string(spelled_out(plain).value_or(""));
 }
 
 /// "Del" is a front (delantero) and "die" a back (dietro) where no word follows that an article could belong

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <unordered_map>
+#include <vector>
 
 namespace toile::seams {
 namespace {
@@ -16,11 +17,13 @@ constexpr std::string_view kShortened =
     "pock=pocket;undslv=undersleeve;topslv=topsleeve;upslv=topsleeve;cuf=cuff;btm=bottom;"
     "bdy=body;bnd=band;bind=binding;bndg=binding;wbf=front waistband;wbb=back waistband;wbl=left waistband;"
     "wbr=right waistband;ln=lining;kpkt=pocket;cpkt=pocket;bpkt=pocket;fpkt=pocket;mche=sleeve;"
-    "hd=hood;flp=flap;stm flap=flap;storm flp=flap;stm flp=flap;tnl=facing;";
+    "mang=sleeve;cint=waistband;coll=collar;capp=hood;krag=collar;forr=lining;prz=front;hd=hood;flp=flap;stm "
+    "flap=flap;storm flp=flap;stm flp=flap;tnl=facing;";
 
 // "rt" alone is English, and right.
 constexpr std::string_view kGerman =
-    "vt=front;ht=back;rt mitte=back;rt seite=back side;vh=front pants;hh=back pants;vorne=front;"
+    "kordel=cord;gummi=elastic;gummiband=elastic;gummizug=elastic;vt=front;ht=back;rt mitte=back;rt "
+    "seite=back side;vh=front pants;hh=back pants;vorne=front;"
     "vorn=front;hinten=back;rucken=back;links=left;linke=left;linker=left;linkes=left;rechts=right;"
     "rechte=right;rechter=right;rechtes=right;seite=side;seitenteil=side;armel=sleeve;kragen=collar;"
     "kragensteg=collar stand;steg=stand;unterkragen=undercollar;revers=lapel;kapuze=hood;"
@@ -48,7 +51,8 @@ constexpr std::string_view kGerman =
     "innenbund=facing;innenbeleg=facing;knopfband=placket;";
 
 constexpr std::string_view kFrench =
-    "devant=front;dos=back;gauche=left;droit=right;droite=right;cote=side;bord cote=rib;"
+    "lacet=cord;elastique=elastic;devant=front;dos=back;gauche=left;droit=right;droite=right;cote=side;bord "
+    "cote=rib;"
     "manche=sleeve;col=collar;pied col=collar stand;dessous col=undercollar;capuche=hood;"
     "capuchon=hood;poignet=cuff;ceinture=waistband;jupe=skirt;pantalon=pants;jambe=leg;"
     "corsage=bodice;empiecement=yoke;bretelle=strap;bande encolure=neckband;encolure=neck;bande=band;"
@@ -73,7 +77,8 @@ constexpr std::string_view kFrench =
     "interieur=facing;interieure=facing;";
 
 constexpr std::string_view kSpanishPortuguese =
-    "delant=front;post=back;esp=back;espald=back;tras=back;pret=waistband;mga=sleeve;cllo=collar;bols=pocket;"
+    "cordon=cord;cordao=cord;elastico=elastic;delant=front;post=back;esp=back;espald=back;tras=back;pret="
+    "waistband;mga=sleeve;cllo=collar;bols=pocket;"
     "del izq=left front;del der=right front;del izdo=left front;del dcho=right front;izq=left;izdo=left;"
     "izda=left;der=right;dcho=right;dcha=right;cuart=side;fald=skirt;"
     "delantero=front;delantera=front;frente=front;espalda=back;trasero=back;trasera=back;costas=back;"
@@ -106,7 +111,8 @@ constexpr std::string_view kSpanishPortuguese =
     "saias=skirt;cos elastico=waistband;";
 
 constexpr std::string_view kItalian =
-    "dav=front;davanti=front;davanto=front;dietro=back;schiena=back;sinistra=left;sinistro=left;destra=right;"
+    "cordoncino=cord;dav=front;davanti=front;davanto=front;dietro=back;schiena=back;sinistra=left;sinistro="
+    "left;destra=right;"
     "destro=right;fianco=side;fianchetto=side;manica=sleeve;collo=collar;colletto=collar;"
     "cappuccio=hood;polso=cuff;polsino=cuff;cinturino=waistband;gonna=skirt;pantalone=pants;"
     "pantaloni=pants;gamba=leg;corpetto=bodice;sprone=yoke;bretella=strap;balza=ruffle;tasca=pocket;"
@@ -136,7 +142,8 @@ constexpr std::string_view kItalian =
     "sacco=pocket;interna=facing;interno=facing;interni=facing;";
 
 constexpr std::string_view kDutch =
-    "voor=front;voorkant=front;achter=back;achterkant=back;rugpand=back;zijkant=side;zijpand=side;"
+    "koord=cord;elastiek=elastic;voor=front;voorkant=front;achter=back;achterkant=back;rugpand=back;zijkant="
+    "side;zijpand=side;"
     "mouw=sleeve;kraag=collar;manchet=cuff;tailleband=waistband;rok=skirt;broek=pants;pijp=leg;"
     "broekspijp=leg;schouderstuk=yoke;schouderband=strap;zak=pocket;voering=lining;jurk=dress;"
     "overhemd=shirt;jas=coat;voorpand=front;achterpand=back;rug=back;rugstuk=back;borststuk=bib;"
@@ -273,7 +280,7 @@ constexpr std::string_view kFinnishHungarianRomanian =
     "vuori=lining;olkain=strap;eleje=front;hata=back;hatulja=back;ujja=sleeve;galler=collar;"
     "kapucni=hood;mandzsetta=cuff;derekpant=waistband;szoknya=skirt;nadrag=pants;zseb=pocket;"
     "beles=lining;spate=back;fata=front;maneca=sleeve;guler=collar;gluga=hood;manseta=cuff;"
-    "betelie=waistband;cordon=waistband;fusta=skirt;buzunar=pocket;captuseala=lining;platca=yoke;"
+    "betelie=waistband;fusta=skirt;buzunar=pocket;captuseala=lining;platca=yoke;"
     "bizet=facing;"
     "etukpl=front;takakpl=back;etuosa=front;takaosa=back;keskietu=front;keskitaka=back;etukaarroke=front "
     "yoke;"
@@ -376,29 +383,34 @@ constexpr PieceTerm kEndings[] = {{"armel", "sleeve"},
                                   {"manchet", "cuff"},
                                   {"schouderband", "strap"}};
 
-using Map = std::unordered_map<std::string_view, std::string_view>;
-
-void add_terms(std::string_view table, Map& map) {
-  while (!table.empty()) {
-    const std::size_t end = table.find(';'), equals = table.find('=');
-    map.emplace(table.substr(0, equals), table.substr(equals + 1, end - equals - 1));
-    table.remove_prefix(end + 1);
+/// Of all tables in a row; of terms that more than one language has, the first counts.
+std::vector<PieceTerm> terms_in_order() {
+  std::vector<PieceTerm> terms;
+  for (std::string_view table : {kShortened, kGerman, kFrench, kSpanishPortuguese, kItalian, kDutch, kPolish,
+                                 kTurkish, kSwedishDanishNorwegian, kCzechSlovak, kRussianUkrainian,
+                                 kFinnishHungarianRomanian, kCroatianSerbianSlovene}) {
+    while (!table.empty()) {
+      const std::size_t end = table.find(';'), equals = table.find('=');
+      terms.push_back({table.substr(0, equals), table.substr(equals + 1, end - equals - 1)});
+      table.remove_prefix(end + 1);
+    }
   }
-}
-
-Map map_of_terms() {
-  Map map;
-  for (const std::string_view table : {kShortened, kGerman, kFrench, kSpanishPortuguese, kItalian, kDutch,
-                                       kPolish, kTurkish, kSwedishDanishNorwegian, kCzechSlovak,
-                                       kRussianUkrainian, kFinnishHungarianRomanian, kCroatianSerbianSlovene})
-    add_terms(table, map);
-  return map;
+  return terms;
 }
 
 }  // namespace
 
+std::span<const PieceTerm> all_terms() {
+  static const std::vector<PieceTerm> terms = terms_in_order();
+  return terms;
+}
+
 std::optional<std::string_view> english_of(std::string_view term) {
-  static const Map map = map_of_terms();
+  static const std::unordered_map<std::string_view, std::string_view> map = [] {
+    std::unordered_map<std::string_view, std::string_view> of;
+    for (const PieceTerm& t : all_terms()) of.emplace(t.theirs, t.english);
+    return of;
+  }();
   const auto met = map.find(term);
   return met == map.end() ? std::nullopt : std::optional(met->second);
 }

@@ -15,6 +15,9 @@ struct PieceTerm {
 /// What a word, or two words in a row with a space between, is in English: small letters without accents.
 std::optional<std::string_view> english_of(std::string_view term);
 
+/// All of those words, in no order that means anything.
+std::span<const PieceTerm> all_terms();
+
 /// Signs of Chinese and Japanese (UTF-8), which need no spaces: longer ones come first.
 std::span<const PieceTerm> sign_terms();
 

@@ -82,9 +82,9 @@ bool holds_in_a_row(const std::vector<std::string>& words, const char* first, co
 
 /// Whether the word tells of cloth that lies on other cloth, alone or at the end of another word.
 bool lies_on_cloth(const std::string& word) {
-  static const char* const kAlone[] = {"canvas", "welt",   "bag",    "flap",    "stay",
-                                       "guard",  "shield", "loop",   "tab",     "fly",
-                                       "loops",  "piping", "fusing", "fusible", "patch"};
+  static const char* const kAlone[] = {"canvas", "welt",    "bag",   "flap",    "stay",  "guard",
+                                       "shield", "loop",    "tab",   "fly",     "loops", "piping",
+                                       "fusing", "fusible", "patch", "elastic", "cord",  "drawstring"};
   static const char* const kEnds[] = {"lining",  "facing",      "pocket", "undercollar",
                                       "placket", "zipperguard", "binding"};
   return std::any_of(std::begin(kAlone), std::end(kAlone), [&](const char* w) { return word == w; }) ||
@@ -202,7 +202,7 @@ PieceWords words_of(const std::string& name) {
     const auto starts = [&](const char* start, char letter) {
       return w.starts_with(start) || (w[0] == letter && is_part_word(w.substr(1)));
     };
-    if (is({"l", "lf", "lt", "lft"}) || starts("left", 'l')) words.side = -1;
+    if (is({"l", "lf", "lt", "lft", "lh"}) || starts("left", 'l')) words.side = -1;
     if (is({"r", "rt", "rgt", "rh"}) || starts("right", 'r')) words.side = 1;
     if (is({"f", "fr", "frt", "fnt", "ft", "cf"}) || starts("front", 'f')) words.face = 1;
     if (is({"bib", "apron"}) && words.face == 0) words.face = 1;  // but for a "back bib"

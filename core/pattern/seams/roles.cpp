@@ -119,10 +119,28 @@ bool is_level_leg(const SeamModel& m, Index panel) {
          });
 }
 
+/// Where a crotch comes to the inseam.
+struct CrotchEnd {
+  const SeamRun* inseam;
+  double turn;  ///< degrees, of the crotch as a whole
+};
+
+/// Below the middle of a front or back, a short part of a crotch may have an edge of its own.
+template <class Step>
+CrotchEnd crotch_end(const SeamModel& m, const SeamRun& middle, Step down) {
+  constexpr double kShort = 0.35;  // of the middle's length
+  const SeamRun& next = down(middle);
+  const bool parted = next.length < kShort * middle.length && next.turn.back() <= 0 &&
+                      faces_right(m, next) * faces_right(m, middle) > 0 && !begins_at_hem(m, next);
+  if (!parted) return {&next, middle.turn.back()};
+  const double corner = &m.runs[middle.next] == &next ? next.angle : middle.angle;
+  return {&down(next), middle.turn.back() + next.turn.back() - std::max(0.0, corner - 180)};
+}
+
 }  // namespace
 
 bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
-  if (run.turn.back() > kPairWeights.twin_hollow_deg || std::abs(run.up) > kPairWeights.facing) return false;
+  if (std::abs(run.up) > kPairWeights.facing) return false;
   const auto forwards = [&](const SeamRun& at) -> const SeamRun& { return m.runs[at.next]; };
   const auto backwards = [&](const SeamRun& at) -> const SeamRun& { return run_before(m, at); };
   const auto is_outer = [&](const SeamRun* side, auto step) {
@@ -133,9 +151,12 @@ bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
       side = &step(*side);  // parted at a pocket
     return side != nullptr && goes_on();
   };
-  if (begins_at_hem(m, backwards(run)) && is_outer(beyond_waist(m, forwards(run), forwards), forwards))
-    return true;
-  return begins_at_hem(m, forwards(run)) && is_outer(beyond_waist(m, backwards(run), backwards), backwards);
+  const auto between_inseam_and_waist = [&](auto down, auto up) {
+    const CrotchEnd end = crotch_end(m, run, down);
+    return end.turn <= kPairWeights.twin_hollow_deg && begins_at_hem(m, *end.inseam) &&
+           is_outer(beyond_waist(m, up(run), up), up);
+  };
+  return between_inseam_and_waist(backwards, forwards) || between_inseam_and_waist(forwards, backwards);
 }
 
 bool has_leg_crotch(const SeamModel& m, Index panel) {
@@ -187,8 +208,10 @@ void name_leg_cuffs(SeamModel& m) {
 }
 
 void name_legs(SeamModel& m) {
+  using enum PieceKind;
+  // Ankles have cuffs as well.
   const bool other_kinds = std::any_of(m.words.begin(), m.words.end(), [](const PieceWords& w) {
-    return w.kind != PieceKind::kOther && w.kind != PieceKind::kBand && w.kind != PieceKind::kStrap;
+    return w.kind != kOther && w.kind != kBand && w.kind != kStrap && w.kind != kCuff && !w.layer;
   });
   if (other_kinds) return;
   std::vector<Index> legs;
@@ -196,7 +219,7 @@ void name_legs(SeamModel& m) {
   for (const SeamRun& run : m.runs) {
     const PieceWords& words = m.words[run.panel];
     const Index twin = m.twin[run.panel];
-    const bool named = words.kind != PieceKind::kOther || words.flank;  // the side of a bodice, then
+    const bool named = words.kind != kOther || words.flank;  // the side of a bodice, then
     if (words.face == 0 || words.layer || named || twin == run.panel) continue;
     if ((twin == kNone && words.side == 0) || !is_leg_crotch(m, run)) continue;
     legs.push_back(run.panel);
@@ -204,7 +227,7 @@ void name_legs(SeamModel& m) {
   }
   if (!front || !back) return;
   for (const Index p : legs) {
-    m.words[p].guess(PieceKind::kLegs);
+    m.words[p].guess(kLegs);
     m.words[p].leg = true;
   }
 }

@@ -140,9 +140,9 @@ int told_by_shape(const SeamModel& m, const SeamModel& turned, Index panel, Vec2
     // These are known only where the piece stands as it is worn.
     const int crotch = has_leg_crotch(m, panel) - has_leg_crotch(turned, panel);
     const int part = crotch != 0 ? crotch : has_shoulder(m, panel) - has_shoulder(turned, panel);
+    if (const int neck = told_by_neck(m, runs); neck != 0 && words.kind != kLegs) return neck;
     if ((words.kind != kTorso || words.guessed) && has_forks(m))
       return 0;  // what is hollow may be for the legs
-    if (const int neck = told_by_neck(m, runs); neck != 0 && words.kind != kLegs) return neck;
     if (part > 0 || opening.hollow > kEndWeights.tells) return part < 0 ? 0 : 1;
     const bool down = part < 0 && opening.hollow < -(crotch < 0 ? kEndWeights.tells : kEndWeights.down);
     if (down || (words.kind == kTorso && opening.hollow < -kEndWeights.surely)) return -1;

@@ -16,7 +16,7 @@ bool is_before_line(const SeamModel& m, const SeamRun& run, const SeamRun& other
   const Vec2 out = normalized(-perpendicular(chord(other)));
   const bool line = rise(m, other) > kPairWeights.twin_straight_rise &&
                     std::abs(other.turn.back()) < kPairWeights.curved_deg;
-  return is_middle(m, run) && line && run.mirror_edge != kNone && other.length > run.length &&
+  return is_middle(m, run) && line && run.mirror_edge != kNone && edge_length(other) > run.length &&
          faces_right(m, run) * faces_right(m, other) > 0 &&
          dot(run.at[SeamRun::kSamples / 2] - end, out) > kPairWeights.vent_out_mm;
 }
@@ -88,7 +88,7 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
   double merit =
       (round ? kPairWeights.twin_across_round : kPairWeights.twin_across) * (1 - along_grain * along_grain);
   // A fitted back is shaped a little in its middle.
-  const bool back = kind == PieceKind::kTorso && m.words[run.panel].face < 0;
+  const bool back = (kind == PieceKind::kTorso || kind == PieceKind::kSkirt) && m.words[run.panel].face < 0;
   if (bend_of(run) < (back ? kPairWeights.curved_deg : kPairWeights.straight_deg) &&
       along_grain > kPairWeights.twin_straight_rise && !is_vent(m, run) && !stands_out(m, run) &&
       !m.opens[run.panel])
@@ -103,7 +103,7 @@ double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain) {
                         1.0);
   if (run.open_front) merit += kPairWeights.twin_round_front;
   if (kind == PieceKind::kLegs && begins_at_hem(m, run)) merit += kPairWeights.twin_leg_side;
-  if (stands_out(m, run)) merit += kPairWeights.twin_vent;
+  if (stands_out(m, run)) merit += kind == PieceKind::kSkirt ? kPairWeights.vent : kPairWeights.twin_vent;
   return merit;
 }
 

@@ -171,7 +171,8 @@ struct PairWeights {
   double vent_bend_deg = 40;        ///< that it may bend by where its hem is turned up
   double vent_step = 0.6;           ///< … by a step of at most this share of its length …
   double vent = -6;                 ///< … and it is sewn to no other piece's edge …
-  double twin_vent = -1.5;          ///< … and hardly to its mirror image: the line above it may be a neck
+  double twin_vent =
+      -1.5;  ///< … and hardly to its mirror image, but of a skirt: the line above may be a neck
   double twin_hollow_deg = -25;
   double twin_hollow = -3;          ///< a neck or armhole, in full below a rise of …
   double twin_upright_rise = 0.95;  ///< … this less the next; from this on it is a crotch and is not meant

@@ -80,9 +80,9 @@ void cut_underlaps(CutPieces& cut) {
     if (!rest || !pattern::validate(*rest)) continue;
     band = std::move(*rest);
     cut.filled[underlap.panel] = 1;
-    cut.drawing.notes.push_back("piece " + in_quotes(band.id) + " is longer than its other half by " +
+    cut.drawing.notes.push_back("piece " + in_quotes(band.id) + " lies under its other end, or half, by " +
                                 std::to_string(std::lround(underlap.long_as)) +
-                                " mm, which lie under it where they are closed: they are cut off");
+                                " mm where it is closed: they are cut off");
   }
 }
 

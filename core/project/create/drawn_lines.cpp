@@ -9,12 +9,12 @@ namespace toile::create {
 namespace {
 
 constexpr double kLineLeaves = 0.5;  // mm, that the line's vertices leave it
-constexpr double kShort = 3;         // mm that the line may end before the outline …
-constexpr double kBeyond = 40;       // … and beyond it, in the allowance
+constexpr double kBeyond = 40;       // mm that the line may end beyond the outline, in the allowance
 
 }  // namespace
 
-std::optional<Chord> chord_across(const std::vector<Vec2>& line, const std::vector<Vec2>& outline) {
+std::optional<Chord> chord_across(const std::vector<Vec2>& line, const std::vector<Vec2>& outline,
+                                  double short_mm) {
   const Vec2 whole = line.back() - line.front();
   const double long_as = length(whole);
   if (long_as < 1 || !geometry::is_flat(line, kLineLeaves)) return std::nullopt;
@@ -25,7 +25,7 @@ std::optional<Chord> chord_across(const std::vector<Vec2>& line, const std::vect
     const double sa = cross(along, a - line.front()), sb = cross(along, b - line.front());
     if ((sa < 0) == (sb < 0)) continue;  // so that one through a corner is met once
     const double at = dot(a + sa / (sa - sb) * (b - a) - line.front(), along);
-    if (at < -kShort || at > long_as + kShort) continue;
+    if (at < -short_mm || at > long_as + short_mm) continue;
     first = std::min(first, at);
     last = std::max(last, at);
   }

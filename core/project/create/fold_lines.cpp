@@ -15,6 +15,8 @@ namespace toile::create {
 namespace {
 
 constexpr double kChords = 0.05;         // mm, chords from curves
+constexpr double kShort = 3;             // mm that a fold line may end before the outline …
+constexpr double kShortHalves = 15;      // … and where it parts a piece into two that lie on each other
 constexpr double kFits = 2.5;            // mm that what is folded back may look out
 constexpr double kMostHalf = 110;        // mm, of a strip's width when it is folded
 constexpr double kLeastLong = 2;         // times as long as wide is half a strip …
@@ -107,7 +109,9 @@ std::optional<FoldLine> fold_line(const pattern::Panel& panel, const seams::Piec
   std::optional<FoldLine> best;
   double best_breadth = HUGE_VAL;
   for (const pattern::InnerLine& line : panel.lines) {
-    const std::optional<Chord> chord = line.drawn ? chord_across(line.points, outline) : std::nullopt;
+    if (!line.drawn) continue;
+    const bool to_outline = chord_across(line.points, outline, kShort).has_value();
+    const std::optional<Chord> chord = chord_across(line.points, outline, kShortHalves);
     if (!chord) continue;
     FoldLine fold{chord->from, chord->to};
     std::vector<Vec2> rest = left_of(panel, fold), part = left_of(panel, turned(fold));
@@ -118,6 +122,7 @@ std::optional<FoldLine> fold_line(const pattern::Panel& panel, const seams::Piec
     }
     if (!lies_on(part, rest, fold)) continue;
     fold.halves = lies_on(rest, part, fold);
+    if (!fold.halves && !to_outline) continue;
     if (fold.halves ? !is_doubled_strip(words, part, fold)
                     : !is_facing_cut_on(panel, words, part, rest, fold))
       continue;

@@ -67,6 +67,23 @@ bool same_from_both_ends(const pattern::Panel& panel, const Strip& strip) {
   });
 }
 
+/// Of a band that goes all around: what lies beyond the one notch that is so near an end, and has none like
+/// it at the other end.
+std::optional<Underlap> marked_underlap(const pattern::Panel& panel, const Strip& strip) {
+  std::optional<Underlap> found;
+  for (const pattern::Notch& notch : panel.notches) {
+    const double at = dot(notch.at, strip.along);
+    const bool near = at - strip.low < strip.high - at;
+    const double lap = near ? at - strip.low : strip.high - at;
+    if (lap < kOnNotch) continue;  // at the very end
+    if (lap > kMost) continue;
+    if (lap < kLeast || marked_end(panel, strip, lap) == 0) return std::nullopt;
+    if (found && std::abs(found->long_as - lap) > kOnNotch) return std::nullopt;
+    found = Underlap{kNone, lap, near ? -strip.along : strip.along};
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<Underlap> underlaps(std::span<const pattern::Panel> panels) {
@@ -78,6 +95,14 @@ std::vector<Underlap> underlaps(std::span<const pattern::Panel> panels) {
   };
   std::vector<Underlap> found;
   for (std::size_t p = 0; p < panels.size(); ++p) {
+    if (words[p].kind == seams::PieceKind::kBand && words[p].side == 0 && !words[p].layer) {
+      const std::optional<Strip> strip = strip_of(panels[p]);
+      std::optional<Underlap> underlap = strip ? marked_underlap(panels[p], *strip) : std::nullopt;
+      if (!underlap) continue;
+      underlap->panel = static_cast<Index>(p);
+      found.push_back(*underlap);
+      continue;
+    }
     const std::optional<Strip> longer = is_half(p) ? strip_of(panels[p]) : std::nullopt;
     for (std::size_t q = 0; longer && q < panels.size(); ++q) {
       if (!is_half(q) || words[p].side + words[q].side != 0) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Waistbands in two halves, one of which is longer: its end lies under the other's where they are closed.
+// Ends of waistbands that lie under the other end where they are closed.
 
 #include <optional>
 #include <span>
@@ -16,7 +16,7 @@ struct Underlap {
 };
 
 /// Of straight bands for the left and the right: the end of the longer one, where a notch tells which it is;
-/// of bands that look alike at both ends either.
+/// of bands that look alike at both ends either. Of one that goes all around: the end that a notch marks.
 std::vector<Underlap> underlaps(std::span<const pattern::Panel> panels);
 
 /// The band without it. Its edges keep their names. Nothing where its end slants by more than it laps over.

@@ -17,11 +17,11 @@ namespace {
 constexpr double kFactor = 0.55, kStiffness = 40;
 constexpr double kBandFactor =
     0.45;  // of a casing sewn on, which is stiffer: it gathers less than it is asked to
-constexpr double kHipBelow = 180;     // mm from the waist
-constexpr double kAsWide = 0.88;      // times as wide as there: less is a shaped waist …
-constexpr double kStraight = 0.95;    // … and this where a band tells that it may be …
-constexpr double kNoOpening = 0.9;    // … but this again where nothing else lets the hip pass it
-constexpr double kCasingFits = 0.03;  // share that a casing is longer or shorter: bands lap over
+constexpr double kHipBelow = 180;      // mm from the waist
+constexpr double kAsWide = 0.88;       // times as wide as there: less is a shaped waist …
+constexpr double kStraight = 0.95;     // … and this where a band tells that it may be …
+constexpr double kAsWideClosed = 0.8;  // … but only this where nothing else lets the hip pass it
+constexpr double kCasingFits = 0.03;   // share that a casing is longer or shorter: bands lap over
 
 bool is_lower(const seams::PieceWords& words) {
   return words.kind == seams::PieceKind::kLegs || words.kind == seams::PieceKind::kSkirt;
@@ -41,7 +41,8 @@ Waist waist_of_garment(const seams::SeamModel& m) {
     const seams::PieceWords& words = m.words[p];
     if (words.layer) continue;
     const bool second = words.kind == kBand && waist.band;
-    waist.held = waist.held || words.kind == kTorso || words.kind == kStrap || words.yoke || second;
+    const bool strap = words.kind == kStrap && !seams::is_tied(words);
+    waist.held = waist.held || words.kind == kTorso || strap || words.yoke || second;
     waist.lower = waist.lower || is_lower(words);
     if (words.kind == kBand) waist.band = p;
   }
@@ -129,7 +130,7 @@ std::vector<project::ProjectElastic> casing_elastic(const pattern::Pattern& patt
                                                     const seams::SeamModel& m, Index band,
                                                     const std::vector<pattern::Seam>& sewn) {
   double below = 0;
-  const double straight = opens_or_is_shaped(pattern, sewn) ? kStraight : kNoOpening;
+  const double straight = opens_or_is_shaped(pattern, sewn) ? kStraight : kAsWideClosed;
   for (Index p = 0; p < static_cast<Index>(pattern.panels.size()); ++p) {
     if (!is_lower(m.words[p]) || m.words[p].layer || m.level[p] > 0) continue;
     const std::optional<UpperEdges> upper = upper_edges(m, p, straight);
@@ -156,9 +157,10 @@ std::vector<project::ProjectElastic> waist_elastics(const pattern::Pattern& patt
   if (!waist.lower || waist.held) return {};
   if (waist.band) return casing_elastic(pattern, m, *waist.band, proposed);
   std::vector<project::ProjectElastic> elastics;
+  const double as_wide = opens_or_is_shaped(pattern, proposed) ? kAsWide : kAsWideClosed;
   for (Index p = 0; p < static_cast<Index>(pattern.panels.size()); ++p) {
     if (!is_lower(m.words[p]) || m.words[p].layer || m.level[p] > 0) continue;
-    const std::optional<UpperEdges> upper = upper_edges(m, p, kAsWide);
+    const std::optional<UpperEdges> upper = upper_edges(m, p, as_wide);
     const bool taken = std::any_of(m.runs.begin(), m.runs.end(), [&](const seams::SeamRun& run) {
       return run.panel == p && run.up >= seams::kPairWeights.facing && takes(proposed, run);
     });

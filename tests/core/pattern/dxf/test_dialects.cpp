@@ -298,6 +298,14 @@ TEST(DxfGrading, LeftAndRightAndPartsThatLieApartAreNoSizes) {
       << "sizes, behind a dash";
 }
 
+TEST(DxfGrading, WordsThatPiecesAreToldApartByAreNoSizes) {
+  const auto shape = [](double x) { return rectangle({x, 0}, 300, 500, "1"); };
+  const dxf::DxfDrawing d = read_trial(blocks_and_inserts(
+      {{"PRZOD_SR", shape(0)}, {"PRZOD_BOK", shape(5)}, {"TYL_SR", shape(0)}, {"TYL_BOK", shape(5)}}));
+  EXPECT_EQ(d.pieces.size(), 4u);
+  EXPECT_TRUE(d.sizes.empty());
+}
+
 TEST(DxfLayers, RepeatedLayersAreNoPieces) {
   const std::string body = rectangle({0, 0}, 300, 500, "1") + rectangle({0, 0}, 300, 500, "84") +
                            rectangle({10, 10}, 280, 480, "14") + rectangle({10, 10}, 280, 480, "87") +

@@ -75,6 +75,32 @@ TEST(DxfQuantities, SizesBehindAllNamesAndPiecesThatAreDrawnTwiceAreNotCounted) 
   EXPECT_EQ(drawn.pieces[0].quantity + drawn.pieces[1].quantity, 2);
 }
 
+TEST(DxfQuantities, ShortenedWordsAndStatedTextsCount) {
+  for (const char* text : {"TAGL. 2x", "CORT. 2", "1 para", "2x schuin", "1 paio", "QTD: 2x",
+                           "Quantity: CUT 2", "Qte: 1 paire", "Q.TA: 2"}) {
+    const dxf::DxfDrawing drawing = pieces_with({{"Sleeve", text}, {"Front"}});
+    EXPECT_EQ(drawing.pieces[0].name, "Sleeve") << text;
+    EXPECT_EQ(drawing.pieces[0].quantity, 2) << text;
+  }
+  EXPECT_FALSE(dxf::tells_only_quantity("2 para forro")) << "two for a lining";
+}
+
+TEST(DxfQuantities, ATextThatStandsInMostPiecesNamesNone) {
+  const auto names_of = [](const std::vector<std::vector<std::string>>& texts) {
+    std::vector<std::string> names;
+    for (const dxf::DxfPiece& piece : pieces_with(texts).pieces) names.push_back(piece.name);
+    return names;
+  };
+  EXPECT_EQ(names_of({{"REF 088", "FRENTE", "2x"}, {"REF 088", "TRASEIRO", "2x"}, {"REF 088", "COS", "1x"}}),
+            (std::vector<std::string>{"FRENTE", "TRASEIRO", "COS"}));
+  EXPECT_EQ(names_of({{"REF 088"}, {"REF 088"}, {"REF 088"}}),
+            (std::vector<std::string>{"REF 088", "REF 088-2", "REF 088-3"}))
+      << "there is nothing else";
+  EXPECT_EQ(names_of({{"Sleeve", "lined"}, {"Sleeve", "plain"}, {"Front"}, {"Back"}}),
+            (std::vector<std::string>{"Sleeve", "Sleeve-2", "Front", "Back"}))
+      << "two of four are a pair";
+}
+
 TEST(DxfQuantities, StatementsOfOtherLanguagesAreRead) {
   const std::initializer_list<std::tuple<std::string, std::string, std::string>> cases{
       {"\u0414\u0435\u0442\u0430\u043b\u044c: A",

@@ -177,6 +177,28 @@ TEST(PairRules, TrousersThatNameNoLegsAreKnownByTheirCrotch) {
   }
 }
 
+/// The same drawn with a corner in its crotch. Edges: hem, inner leg, end of the crotch, middle, waist, side.
+pattern::Panel parted_front() {
+  return piece("front", {{0, 0},
+                         {210, 0, Vec2{215, 500}},
+                         {262, 720, Vec2{258, 722}, Vec2{242, 727}},
+                         {238, 732, Vec2{200, 760}, Vec2{182, 850}},
+                         {180, 1000},
+                         {10, 990, Vec2{-30, 800}, Vec2{0, 500}}});
+}
+
+TEST(PairRules, ACrotchMayHaveACornerAndAnklesMayHaveCuffs) {
+  std::vector<pattern::Panel> panels{
+      parted_front(),         mirrored(parted_front(), "front_mirrored"),
+      plain_back(),           mirrored(plain_back(), "back_mirrored"),
+      strip("cuff", 265, 80), mirrored(strip("cuff", 265, 80), "cuff_mirrored")};
+  const SeamModel m = model_of(panels);
+  for (Index p = 0; p < 4; ++p) EXPECT_EQ(m.words[p].kind, PieceKind::kLegs) << p;
+  EXPECT_TRUE(m.words[4].leg) << "the cuff's";
+  EXPECT_FALSE(seams::never_sewn(m, run_of(m, 4, 2), run_of(m, 0, 0))) << "at the hem";
+  EXPECT_LT(seams::pair_merit(m, run_of(m, 4, 0), run_of(m, 0, 4))[0], 0) << "and not at the waist";
+}
+
 TEST(PairRules, AWaistbandEndsNoLegs) {
   const SeamModel m = model_of(trousers_with(plain_back(), 740));
   EXPECT_TRUE(seams::never_sewn(m, run_of(m, 4, 2), run_of(m, 0, 0))) << "its upper edge at a hem";

@@ -77,6 +77,26 @@ TEST(PieceLanguage, WhatDraftingProgramsShortenIsUnderstood) {
   EXPECT_EQ(seams::words_of("TIER 2").kind, PieceKind::kSkirt);
 }
 
+TEST(PieceLanguage, WordsWithoutTheirVowelsAndBeginningsOfWordsAreSpelledOut) {
+  for (const auto& [name, word] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"PARMT", "facing"},
+                                                                  {"crsg", "bodice"},
+                                                                  {"Kapz", "hood"},
+                                                                  {"ESPAL", "back"},
+                                                                  {"Voorp", "front"},
+                                                                  {"wstb", "waistband"},
+                                                                  {"Bdc", "bodice"},
+                                                                  {"poign", "cuff"}})
+    EXPECT_EQ(words_of_piece(name), Words{word}) << name;
+  EXPECT_EQ(words_of_piece("DEVT ENCOL"), (Words{"front", "neck"}));
+}
+
+TEST(PieceLanguage, WhatMayShortenSeveralTermsOrNoneStaysAsItIs) {
+  for (const char* name :
+       {"mnc", "gurt", "slp", "the", "lin", "int", "cord", "coton", "denim", "centre", "xl"})
+    EXPECT_EQ(words_of_piece(name), Words{name});
+}
+
 TEST(PieceLanguage, FrontsAndBacksAreKnownInManyLanguages) {
   for (const char* front : {"PRET DEL", "Delantero", "Voorpijp", "prz\u00f3d", "\u00d6N", "\u00d6n beden",
                             "framstycke", "p\u0159edn\u00ed d\u00edl", "\u041f\u0435\u0440\u0435\u0434",

@@ -325,6 +325,20 @@ TEST(Tailored, NoSleeveGoesToTheNeck) {
   EXPECT_TRUE(seams::never_sewn(model, 4, 6 * 2 + 4 * 2 + 2)) << "however like their lengths are";
 }
 
+TEST(Tailored, AVentOfASkirtStaysOpenWhereverTheSeamAboveHasANotch) {
+  // Edges: hem, vent, step, middle, waist, side.
+  const pattern::Panel back = garments::piece(
+      "skirt back", {{0, 0}, {280, 0}, {280, 200}, {232, 215}, {230, 585}, {25, 600, Vec2{-10, 400}}});
+  const pattern::Panel mirror = garments::mirrored(back, "skirt back_mirrored");
+  seams::SeamModel m = seams::make_seam_model({{back, mirror}, {}});
+  const double uncut = seams::twin_merit(m, m.runs[1], 1);
+  m = seams::with_cuts({{back, mirror}, {}}, std::move(m), 3, {190});
+  EXPECT_TRUE(seams::stands_out(m, m.runs[1])) << "though the part above it is shorter";
+  EXPECT_DOUBLE_EQ(seams::twin_merit(m, m.runs[1], 1), uncut);
+  EXPECT_LT(uncut, -5);
+  EXPECT_GT(seams::twin_merit(m, m.runs[3], 1), 0);
+}
+
 TEST(Tailored, ASeamEndsWhereAVentGoesOutFromIt) {
   // The vent of a sleeve: up its edge, in by a step, on along the elbow.
   const pattern::Panel sleeve = garments::piece(

@@ -109,6 +109,19 @@ TEST(UpperEnds, WhatTellsNothingGoesWithThoseDrawnAlikeIfTheyAgree) {
 /// Their legs' openings are hollow, and face down.
 TEST(UpperEnds, BriefsAreNotStoodOnTheirHeads) { expect_up(briefs(), 0, 1, "briefs"); }
 
+TEST(UpperEnds, AHollowNeckTellsAlthoughTheHemLiesBetweenHollowsAsAForkDoes) {
+  // The middle of a dress with princess seams that narrow towards the waist.
+  const pattern::Panel middle = piece("front", {{-140, 0},
+                                                {140, 0, Vec2{80, 330}, Vec2{60, 560}},
+                                                {150, 880, Vec2{140, 920}, Vec2{135, 960}},
+                                                {145, 1000},
+                                                {90, 1045, Vec2{60, 950}, Vec2{-60, 950}},
+                                                {-90, 1045},
+                                                {-145, 1000, Vec2{-135, 960}, Vec2{-140, 920}},
+                                                {-150, 880, Vec2{-60, 560}, Vec2{-80, 330}}});
+  for (const int sense : {1, -1}) expect_up({middle}, 1, sense, "middle of a dress");
+}
+
 TEST(UpperEnds, AShallowNeckTellsWhereSleevesAreCutOnAndTheHemIsStraight) {
   pattern::Panel back = piece("back", {{-280, 0},
                                        {280, 0, Vec2{270, 190}},

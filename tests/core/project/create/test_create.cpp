@@ -356,6 +356,12 @@ TEST(ProjectNew, WithoutAnOpeningAWaistThatIsShapedALittleIsPulledOnToo) {
   EXPECT_EQ(elastics(banded), 0u) << "it has a zip";
 }
 
+TEST(ProjectNew, ACordHoldsNothingUpAndTakesTheWaistFromNoElastic) {
+  std::vector<pattern::Panel> banded = pyjamas(255);  // 85 % of the hip
+  banded.push_back(garments::piece("CORDON", {{0, 0}, {1300, 0}, {1300, 30}, {0, 30}}));
+  EXPECT_EQ(create::new_project(drawing_of(banded), settings(0.8))->project.elastics.size(), 4u);
+}
+
 TEST(ProjectNew, MoreThanAPairOfACuffAreItsLayers) {
   dxf::DxfDrawing drawing =
       dxf::read_dxf(drawing_of({garments::piece("Cuff", {{0, 0}, {240, 0}, {240, 60}, {0, 60}}),

@@ -68,6 +68,7 @@ TEST(FoldLines, TheLineMayGoOnIntoTheAllowanceOrEndJustBefore) {
   };
   EXPECT_TRUE(folds({{-10, 60}, {250, 60}}));
   EXPECT_TRUE(folds({{2, 60}, {238, 60}}));
+  EXPECT_TRUE(folds({{14, 60}, {226, 60}})) << "in the middle of a strip";
   EXPECT_FALSE(folds({{20, 60}, {220, 60}})) << "a line of stitches";
   EXPECT_FALSE(folds({{0, 50}, {240, 50}})) << "not its middle";
   EXPECT_FALSE(folds({{120, 0}, {120, 120}})) << "across";

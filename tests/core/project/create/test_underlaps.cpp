@@ -57,6 +57,19 @@ TEST(Underlaps, StayWhereTheEndSlantsByMoreThanThem) {
   EXPECT_FALSE(create::without_underlap(slanted, found[0]));
 }
 
+TEST(Underlaps, OfABandAllAroundLiesBeyondTheOnlyNotchNearAnEnd) {
+  for (const bool far : {true, false}) {
+    const auto found =
+        underlaps_of({with_notches(strip("Waistband", 790, 35), {far ? 750.0 : 40.0, 230, 395, 560})});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].long_as, 40, 1e-6);
+    EXPECT_NEAR(found[0].away.x, far ? 1 : -1, 1e-6);
+  }
+  EXPECT_TRUE(underlaps_of({with_notches(strip("Waistband", 790, 35), {40, 750})}).empty()) << "at both ends";
+  EXPECT_TRUE(underlaps_of({with_notches(strip("Waistband", 790, 35), {0, 190, 395, 790})}).empty());
+  EXPECT_TRUE(underlaps_of({with_notches(strip("Waistband", 790, 35), {8, 40})}).empty()) << "two marks";
+}
+
 TEST(Underlaps, AreNoneWhereNothingTellsThem) {
   const pattern::Panel left = strip("Waistband left", 440, 40);
   EXPECT_EQ(underlaps_of({left, strip("Waistband right", 480, 40)}).size(), 1u) << "both ends look alike";
