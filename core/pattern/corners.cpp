@@ -25,10 +25,13 @@ Vec2 point_along(Points loop, std::size_t i, double window, bool forward) {
   return at;
 }
 
+/// Turn from the one way to the other, radians, to the left.
+double turn_between(Vec2 in, Vec2 out) { return std::atan2(cross(in, out), dot(in, out)); }
+
 double turn_at(Points loop, std::size_t i, double window) {
   const Vec2 in = loop[i] - point_along(loop, i, window, false);
   const Vec2 out = point_along(loop, i, window, true) - loop[i];
-  return std::abs(std::atan2(cross(in, out), dot(in, out)));
+  return std::abs(turn_between(in, out));
 }
 
 /// Whether another vertex within the window turns more sharply (or as sharply, and comes first).
@@ -48,8 +51,7 @@ bool outdone(Points loop, const std::vector<double>& turns, std::size_t i, doubl
 /// Turn from the segment that ends at vertex i to the one that begins there, radians, to the left.
 double signed_turn(Points loop, std::size_t i) {
   const std::size_t n = loop.size();
-  const Vec2 in = loop[i] - loop[(i + n - 1) % n], out = loop[(i + 1) % n] - loop[i];
-  return std::atan2(cross(in, out), dot(in, out));
+  return turn_between(loop[i] - loop[(i + n - 1) % n], loop[(i + 1) % n] - loop[i]);
 }
 
 double vertex_turn(Points loop, std::size_t i) { return std::abs(signed_turn(loop, i)); }
@@ -117,21 +119,38 @@ bool parts_curves(Points loop, std::size_t i, const OutlineSettings& settings) {
   return n > 4;
 }
 
+/// The first vertex so far along from vertex i at least, mm; vertex i where there is none.
+std::size_t vertex_beyond(Points loop, std::size_t i, std::size_t step, double least) {
+  const std::size_t n = loop.size();
+  double walked = 0;
+  for (std::size_t j = i, k = (i + step) % n; k != i; j = k, k = (k + step) % n) {
+    walked += length(loop[k] - loop[j]);
+    if (walked >= least) return k;
+  }
+  return i;
+}
+
 /// Whether a straight line meets a curve at vertex i by an angle. Half of the turn at a sample belongs to
-/// each of the chords that meet there; the rest is the corner's.
+/// each of the chords that meet there; the rest is the corner's. Of curves in finer samples every so many
+/// count.
 bool parts_line_and_curve(Points loop, std::size_t i, const OutlineSettings& settings) {
   constexpr double kLineOverChord = 3, kCorner = 0.5;  // times the chord; of the turn at the end of a line
   const std::size_t n = loop.size();
   const auto [a, b] = sides_of(loop, i);
-  if (std::max(a, b) < std::max(kLine, kLineOverChord * std::min(a, b)) || std::min(a, b) < kShort)
-    return false;
-  const std::size_t step = a > b ? 1 : n - 1, next = (i + step) % n, after = (next + step) % n;
-  const double here = signed_turn(loop, i), there = signed_turn(loop, next), on = signed_turn(loop, after);
+  if (std::max(a, b) < kLine) return false;
+  const std::size_t step = a > b ? 1 : n - 1;
+  const std::size_t line = (i + n - step) % n, next = vertex_beyond(loop, i, step, kShort),
+                    after = vertex_beyond(loop, next, step, kShort),
+                    beyond = vertex_beyond(loop, after, step, kShort);
+  const Vec2 chord = loop[next] - loop[i], second = loop[after] - loop[next];
+  if (length(chord) == 0 || length(second) == 0) return false;
+  if (std::max(a, b) < kLineOverChord * length(chord)) return false;
+  const double here = turn_between(loop[i] - loop[line], chord), there = turn_between(chord, second),
+               on = turn_between(second, loop[beyond] - loop[after]);
   if (std::max(std::abs(there), std::abs(on)) > settings.corner_angle) return false;
-  const double chord = std::min(a, b), second = length(loop[after] - loop[next]);
   // A curve may tighten towards its end.
   const double at_end = std::max(std::abs(there), std::abs(2 * there - on));
-  const double own = std::copysign(at_end, there) * chord / (chord + second);
+  const double own = std::copysign(at_end, there) * length(chord) / (length(chord) + length(second));
   return std::abs(here - own) > kCorner * settings.blunt_corner_angle;
 }
 

@@ -159,6 +159,22 @@ TEST(Outline, ABluntCornerIsOneWhereALineMeetsACurve) {
   EXPECT_EQ(pattern::loop_from_polyline(sleeve, {})->edges.size(), 4u);
 }
 
+TEST(Outline, ABluntCornerIsOneHoweverFinelyTheCurveIsSampled) {
+  // The middle of a front, and a neck that goes on from it by `off` degrees to the left.
+  const auto edges = [](double off, double bend) {
+    std::vector<Vec2> front{{0, 0}, {0, 245}};
+    for (int i = 0; i < 28; ++i) front.push_back(front.back() + at_degrees(2, 90 - off - bend * i));
+    front.push_back({250, front.back().y});
+    front.push_back({250, 0});
+    std::reverse(front.begin(), front.end());
+    return pattern::loop_from_polyline(front, {})->edges.size();
+  };
+  EXPECT_EQ(edges(24, 0.05), 5u);
+  EXPECT_EQ(edges(24, -0.05), 5u);
+  EXPECT_EQ(edges(0, 0.3), 4u) << "it begins smoothly";
+  EXPECT_EQ(edges(1.5, 3), 4u) << "a rounded corner";
+}
+
 TEST(Outline, ABluntCornerIsOneWhereTwoCurvesMeet) {
   // A sleeve's back seam, of which samples turn by 1°, and its cap, by 2°; the cap begins `off` degrees on.
   const auto is_corner = [](double off) {
