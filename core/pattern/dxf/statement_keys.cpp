@@ -28,8 +28,8 @@ constexpr KeyNames kKeys[] = {
      "storlek;storrelse;razmer;rozmir;velicina;meret;koko;marime;masura;尺码;码数;サイズ;"},
     {"quantity",
      ";anzahl;stueck;stuck;stueckzahl;stuckzahl;menge;quantite;cantidad;quantidade;"
-     "quantita;qtd;qtde;qta;q "
-     "ta;qte;qt;cant;ctd;anz;stk;szt;aantal;ilosc;pocet;kusu;adet;antal;antall;qty;kolichestvo;kilkist;kol "
+     "quantita;qtd;qtde;qta;q.ta;"
+     "qte;qt;cant;ctd;anz;stk;szt;aantal;ilosc;pocet;kusu;adet;antal;antall;qty;kolichestvo;kilkist;kol "
      "vo;kolicina;"
      "mennyiseg;darabszam;darab;maara;lukumaara;kpl;cantitate;bucati;数量;件数;裁片数量;枚数;"},
     {"material",
