@@ -38,6 +38,18 @@ bool is_face_of_hood(const SeamModel& m, const SeamRun& run) {
   });
 }
 
+/// Whether a hood would be sewn to the bodice by what goes around the face or over the head: it hangs there by
+/// what faces down.
+bool hangs_by_no_neck(const SeamModel& m, const SeamRun& hood, const SeamRun& bodice) {
+  constexpr double kDown = -0.5;
+  const PieceWords& words = m.words[hood.panel];
+  if (words.kind != PieceKind::kHood || words.layer || m.words[bodice.panel].kind != PieceKind::kTorso)
+    return false;
+  return hood.up > kDown && std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& neck) {
+           return neck.panel == hood.panel && neck.up < -kPairWeights.facing;
+         });
+}
+
 /// Whether the two are the upper edges of a front and a back in their middles: the head goes through there.
 bool shut_neck(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   const auto is_upper = [&](const SeamRun& run) {
@@ -84,6 +96,7 @@ bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))
     return true;
   const bool shuts_hood = m.twin[a.panel] == b.panel && is_face_of_hood(m, a) && is_face_of_hood(m, b);
+  if (hangs_by_no_neck(m, a, b) || hangs_by_no_neck(m, b, a)) return true;
   return shuts_hood || shut_neck(m, a, b) || are_along_strip(m, a, b) || are_outer_legs(m, a, b);
 }
 

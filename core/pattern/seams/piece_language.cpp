@@ -87,11 +87,15 @@ std::string english_word(const std::string& word) {
 }
 
 /// "Del" is a front (delantero) and "die" a back (dietro) where no word follows that an article could belong
-/// to, "on" a front of Turkish where nothing follows at all.
+/// to, "on" a front of Turkish where nothing follows at all. What the copy of a piece is called besides
+/// counts for nothing.
 void tell_short_faces(std::vector<std::string>& words) {
-  if (words.empty()) return;
-  if (words.back() == "die" && words.size() > 1) words.back() = "back";
-  if (words.back() == "del" || words == std::vector<std::string>{"on"}) words.back() = "front";
+  std::vector<std::string> own = words;
+  while (!own.empty() && own.back() == "mirrored") own.pop_back();
+  if (own.empty()) return;
+  std::string& last = words[own.size() - 1];
+  if (last == "die" && own.size() > 1) last = "back";
+  if (last == "del" || own == std::vector<std::string>{"on"}) last = "front";
 }
 
 /// "B4410 CUFF" is the cuff of a style and of no back: a letter alone before so many digits is no word.

@@ -17,7 +17,8 @@ constexpr std::string_view kShortened =
     "pock=pocket;undslv=undersleeve;topslv=topsleeve;upslv=topsleeve;cuf=cuff;btm=bottom;"
     "bdy=body;bnd=band;bind=binding;bndg=binding;wbf=front waistband;wbb=back waistband;wbl=left waistband;"
     "wbr=right waistband;ln=lining;kpkt=pocket;cpkt=pocket;bpkt=pocket;fpkt=pocket;mche=sleeve;"
-    "mang=sleeve;cint=waistband;coll=collar;capp=hood;krag=collar;forr=lining;prz=front;hd=hood;flp=flap;stm "
+    "mang=sleeve;capu=hood;cint=waistband;coll=collar;capp=hood;krag=collar;forr=lining;prz=front;hd=hood;"
+    "flp=flap;stm "
     "flap=flap;storm flp=flap;stm flp=flap;tnl=facing;";
 
 // "rt" alone is English, and right.

@@ -105,6 +105,8 @@ TEST(PieceLanguage, FrontsAndBacksAreKnownInManyLanguages) {
   for (const char* back : {"POST", "Rugstuk", "ty\u0142", "arka", "bakstycke", "zadn\u00ed d\u00edl",
                            "\u0421\u043f\u0438\u043d\u043a\u0430", "\u540e\u7247"})
     EXPECT_EQ(seams::words_of(back).face, -1) << back;
+  EXPECT_EQ(seams::words_of("CHQ5520 DEL_mirrored").face, 1) << "of the copy as well";
+  EXPECT_EQ(seams::words_of("PL220_DIE_mirrored").face, -1);
   EXPECT_EQ(seams::words_of("cut on fold").face, 0) << "of English, no front of Turkish";
   EXPECT_EQ(seams::words_of("cuello del vestido").face, 0) << "an article";
 }

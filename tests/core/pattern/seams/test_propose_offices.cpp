@@ -140,6 +140,10 @@ TEST(Offices, TheStraightEdgeOfAHoodIsAroundTheFace) {
               worn.has({"hood.e2", "hood.e3"}, {"hood_mirrored.e2", "hood_mirrored.e3"}))
       << worn.text();
   EXPECT_FALSE(worn.has({"hood.e1"}, {"hood_mirrored.e1"})) << worn.text();
+  const seams::SeamModel whole = seams::make_seam_model({{plain_top("Front", 520), half}, {}});
+  EXPECT_TRUE(seams::never_sewn(whole, 1, 8 + 1)) << "the face, at a side";
+  EXPECT_TRUE(seams::never_sewn(whole, 1, 8 + 2)) << "what goes over the head";
+  EXPECT_FALSE(seams::never_sewn(whole, 4, 8 + 0)) << "the necks";
 }
 
 TEST(Offices, ANumberThatEndsOneNameAloneIsASizeAndNoRow) {
