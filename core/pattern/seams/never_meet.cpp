@@ -34,12 +34,12 @@ bool is_face_of_hood(const SeamModel& m, const SeamRun& run) {
   constexpr double kStraight = 10, kOverHead = 30;  // degrees
   if (m.words[run.panel].kind != PieceKind::kHood || std::abs(run.turn.back()) > kStraight) return false;
   return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
-    return other.panel == run.panel && other.turn.back() > kOverHead && other.length > run.length;
+    return other.panel == run.panel && other.line_turn > kOverHead && edge_length(other) > edge_length(run);
   });
 }
 
-/// Whether a hood would be sewn to the bodice by what goes around the face or over the head: it hangs there by
-/// what faces down.
+/// Whether a hood would be sewn to the bodice by what goes around the face or over the head: it hangs there
+/// by what faces down.
 bool hangs_by_no_neck(const SeamModel& m, const SeamRun& hood, const SeamRun& bodice) {
   constexpr double kDown = -0.5;
   const PieceWords& words = m.words[hood.panel];
@@ -87,11 +87,24 @@ bool closes_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
          a.mirror_edge == b.edge;
 }
 
+/// Whether yokes of the left and the right leg would meet at the shorter of their ends: they are deeper in
+/// the middle of the back than at the sides.
+bool meets_at_side_of_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  constexpr double kDeeper = 1.15;  // times
+  const PieceWords& words = m.words[a.panel];
+  const bool halves = words.yoke && words.face < 0 && a.panel != b.panel && m.twin[a.panel] == b.panel;
+  if (!halves || m.lines[a.panel] != 4) return false;
+  const bool legs = std::any_of(m.words.begin(), m.words.end(),
+                                [](const PieceWords& w) { return w.kind == PieceKind::kLegs; });
+  const SeamRun& opposite = m.runs[m.runs[a.next].next];
+  return legs && opposite.panel == a.panel && opposite.length > kDeeper * a.length;
+}
+
 }  // namespace
 
 bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b) || closes_half_band(m, a, b) ||
-      closes_yoke(m, a, b) || misses_round_stand(m, a, b))
+      closes_yoke(m, a, b) || meets_at_side_of_yoke(m, a, b) || misses_round_stand(m, a, b))
     return true;
   if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))
     return true;
