@@ -251,7 +251,10 @@ void name_skirts(SeamModel& m) {
   const auto any = [&](auto is) { return std::any_of(m.words.begin(), m.words.end(), is); };
   using enum PieceKind;
   const auto is_cloth = [](const PieceWords& w) { return w.kind == kOther && !w.layer && !w.limb; };
-  if (any([&](const PieceWords& w) { return !w.layer && w.kind != kOther && w.kind != kBand; })) return;
+  if (any([&](const PieceWords& w) {
+        return !w.layer && w.kind != kOther && w.kind != kBand && !is_tied(w);
+      }))
+    return;
   if (!any([](const PieceWords& w) { return w.kind == kBand && !w.hem_band; })) return;
   if (any([&](const PieceWords& w) { return is_cloth(w) && w.face == 0; })) return;
   for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p)

@@ -13,6 +13,7 @@
 #include "core/project/create/fold_lines.h"
 #include "core/project/create/pocket_corners.h"
 #include "core/project/create/underlaps.h"
+#include "core/project/create/wraps.h"
 
 namespace toile::create {
 namespace {
@@ -61,6 +62,37 @@ void fold_back(CutPieces& cut) {
   }
 }
 
+void cut_underlap(CutPieces& cut, const Underlap& underlap) {
+  pattern::Panel& band = cut.panels[underlap.panel];
+  std::optional<pattern::Panel> rest = without_underlap(band, underlap);
+  if (!rest || !pattern::validate(*rest)) return;
+  band = std::move(*rest);
+  cut.filled[underlap.panel] = 1;
+  cut.drawing.notes.push_back("piece " + in_quotes(band.id) + " lies under its other end, or half, by " +
+                              std::to_string(std::lround(underlap.long_as)) +
+                              " mm where it is closed: they are cut off");
+}
+
+/// Fronts that lie over each other end in their middles, and so does the band above them.
+void cut_wraps(CutPieces& cut) {
+  std::vector<char> pairs;
+  for (const dxf::DxfPiece& piece : cut.drawing.pieces)
+    pairs.push_back(piece.quantity == 2 && piece.mirrored == 1);
+  bool any = false;
+  for (const Wrap& wrap : wraps(cut.panels, pairs)) {
+    pattern::Panel rest = folded(cut.panels[wrap.panel], wrap.middle);
+    if (!pattern::validate(rest)) continue;
+    cut.panels[wrap.panel] = std::move(rest);
+    cut.filled[wrap.panel] = 1;
+    any = true;
+    cut.drawing.notes.push_back("piece " + in_quotes(cut.panels[wrap.panel].id) +
+                                " lies over the other front by " + std::to_string(std::lround(wrap.long_as)) +
+                                " mm beyond the middle: they are cut off, and the fronts meet there");
+  }
+  if (!any) return;
+  for (const Underlap& end : wrapped_ends(cut.panels)) cut_underlap(cut, end);
+}
+
 void fill_pockets(CutPieces& cut) {
   for (const PocketCorner& pocket : pocket_corners(cut.panels)) {
     pattern::Panel whole = with_corner(cut.panels[pocket.panel], pocket);
@@ -74,16 +106,7 @@ void fill_pockets(CutPieces& cut) {
 }
 
 void cut_underlaps(CutPieces& cut) {
-  for (const Underlap& underlap : underlaps(cut.panels)) {
-    pattern::Panel& band = cut.panels[underlap.panel];
-    std::optional<pattern::Panel> rest = without_underlap(band, underlap);
-    if (!rest || !pattern::validate(*rest)) continue;
-    band = std::move(*rest);
-    cut.filled[underlap.panel] = 1;
-    cut.drawing.notes.push_back("piece " + in_quotes(band.id) + " lies under its other end, or half, by " +
-                                std::to_string(std::lround(underlap.long_as)) +
-                                " mm where it is closed: they are cut off");
-  }
+  for (const Underlap& underlap : underlaps(cut.panels)) cut_underlap(cut, underlap);
 }
 
 }  // namespace
@@ -109,6 +132,7 @@ Result<CutPieces> cut_pieces(const dxf::DxfDrawing& drawing) {
   cut.filled.assign(cut.panels.size(), 0);
   cut_darts(cut);
   fold_back(cut);
+  cut_wraps(cut);
   fill_pockets(cut);
   cut_underlaps(cut);
   return cut;

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kLeast = 15, kMost = 70;  // mm that a waistband laps over
 constexpr double kOnNotch = 2;             // mm, of a notch from where the lap begins
+constexpr double kWrap[] = {60, 260};      // mm that a band laps over where fronts do
+constexpr double kAlike = 6;               // mm, of the two notches from their ends
 constexpr double kLikeBox = 0.98;          // of its box, that a straight band fills
 
 /// A straight band, along its longer sides.
@@ -115,6 +117,28 @@ std::vector<Underlap> underlaps(std::span<const pattern::Panel> panels) {
       found.push_back({static_cast<Index>(p), lap, end < 0 ? -longer->along : longer->along});
       break;
     }
+  }
+  return found;
+}
+
+std::vector<Underlap> wrapped_ends(std::span<const pattern::Panel> panels) {
+  pattern::Pattern pattern;
+  pattern.panels.assign(panels.begin(), panels.end());
+  const std::vector<seams::PieceWords> words = seams::garment_words(pattern);
+  std::vector<Underlap> found;
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const bool band = words[p].kind == seams::PieceKind::kBand && words[p].side == 0 && !words[p].layer;
+    const std::optional<Strip> strip = band ? strip_of(panels[p]) : std::nullopt;
+    if (!strip) continue;
+    double low = HUGE_VAL, high = HUGE_VAL;
+    for (const pattern::Notch& notch : panels[p].notches) {
+      const double at = dot(notch.at, strip->along);
+      low = std::min(low, at - strip->low);
+      high = std::min(high, strip->high - at);
+    }
+    if (std::abs(low - high) > kAlike || low < kWrap[0] || low > kWrap[1]) continue;
+    found.push_back({static_cast<Index>(p), low, -strip->along});
+    found.push_back({static_cast<Index>(p), high, strip->along});
   }
   return found;
 }

@@ -19,6 +19,10 @@ struct Underlap {
 /// of bands that look alike at both ends either. Of one that goes all around: the end that a notch marks.
 std::vector<Underlap> underlaps(std::span<const pattern::Panel> panels);
 
+/// Both ends of bands that go all around, beyond the notches nearest to them, where these are as far from
+/// both ends, 60 to 260 mm: where fronts lie over each other, so does their band.
+std::vector<Underlap> wrapped_ends(std::span<const pattern::Panel> panels);
+
 /// The band without it. Its edges keep their names. Nothing where its end slants by more than it laps over.
 std::optional<pattern::Panel> without_underlap(const pattern::Panel& band, const Underlap& underlap);
 

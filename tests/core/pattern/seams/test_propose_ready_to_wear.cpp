@@ -78,6 +78,14 @@ TEST(ReadyToWear, AHoodWithANotchAtItsCrownIsClosedOverTheHead) {
   EXPECT_TRUE(worn.has({"Hood.e1"}, {"Hood_2.e1"})) << worn.text();
 }
 
+TEST(ReadyToWear, TiesOfAWrapSkirtMakeNoTopOfIt) {
+  const Panels skirt{piece("TRASERO", {{-300, 0}, {300, 0}, {240, 620}, {-240, 620}}),
+                     piece("DELANTERO", {{0, 0}, {300, 0}, {240, 620}, {0, 620}}),
+                     strip("CINTURILLA", 730, 40), strip("LAZO", 850, 80)};
+  EXPECT_EQ(words_of(skirt)[0].kind, PieceKind::kSkirt);
+  EXPECT_EQ(words_of(skirt)[1].kind, PieceKind::kSkirt);
+}
+
 TEST(ReadyToWear, AWaistbandOfATopEndsItBelow) {
   pattern::Panel rib = strip("RIB CINTURA", 954, 65);
   rib.outline.edges[0].id = pattern::kFoldEdge;
