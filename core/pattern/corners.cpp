@@ -25,13 +25,13 @@ Vec2 point_along(Points loop, std::size_t i, double window, bool forward) {
   return at;
 }
 
-/// Turn from the one way to the other, radians, to the left.
-double turn_between(Vec2 in, Vec2 out) { return std::atan2(cross(in, out), dot(in, out)); }
+/// Turn from the one way to the other, radians; to the right it is negative.
+double turn_to_left(Vec2 in, Vec2 out) { return std::atan2(cross(in, out), dot(in, out)); }
 
 double turn_at(Points loop, std::size_t i, double window) {
   const Vec2 in = loop[i] - point_along(loop, i, window, false);
   const Vec2 out = point_along(loop, i, window, true) - loop[i];
-  return std::abs(turn_between(in, out));
+  return std::abs(turn_to_left(in, out));
 }
 
 /// Whether another vertex within the window turns more sharply (or as sharply, and comes first).
@@ -51,7 +51,7 @@ bool outdone(Points loop, const std::vector<double>& turns, std::size_t i, doubl
 /// Turn from the segment that ends at vertex i to the one that begins there, radians, to the left.
 double signed_turn(Points loop, std::size_t i) {
   const std::size_t n = loop.size();
-  return turn_between(loop[i] - loop[(i + n - 1) % n], loop[(i + 1) % n] - loop[i]);
+  return turn_to_left(loop[i] - loop[(i + n - 1) % n], loop[(i + 1) % n] - loop[i]);
 }
 
 double vertex_turn(Points loop, std::size_t i) { return std::abs(signed_turn(loop, i)); }
@@ -145,8 +145,8 @@ bool parts_line_and_curve(Points loop, std::size_t i, const OutlineSettings& set
   const Vec2 chord = loop[next] - loop[i], second = loop[after] - loop[next];
   if (length(chord) == 0 || length(second) == 0) return false;
   if (std::max(a, b) < kLineOverChord * length(chord)) return false;
-  const double here = turn_between(loop[i] - loop[line], chord), there = turn_between(chord, second),
-               on = turn_between(second, loop[beyond] - loop[after]);
+  const double here = turn_to_left(loop[i] - loop[line], chord), there = turn_to_left(chord, second),
+               on = turn_to_left(second, loop[beyond] - loop[after]);
   if (std::max(std::abs(there), std::abs(on)) > settings.corner_angle) return false;
   // A curve may tighten towards its end.
   const double at_end = std::max(std::abs(there), std::abs(2 * there - on));
