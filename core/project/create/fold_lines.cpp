@@ -9,7 +9,6 @@
 #include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/loop_part.h"
-#include "core/project/create/drawn_lines.h"
 
 namespace toile::create {
 namespace {
@@ -34,13 +33,6 @@ std::vector<Vec2> left_of(const pattern::Panel& panel, const FoldLine& fold) {
     part.insert(part.end(), points.begin(), points.end());
   }
   return part;
-}
-
-double breadth_of(const std::vector<Vec2>& part, const FoldLine& fold) {
-  const Vec2 along = normalized(fold.to - fold.from);
-  double most = 0;
-  for (const Vec2 p : part) most = std::max(most, std::abs(cross(along, p - fold.from)));
-  return most;
 }
 
 /// Where the point comes when it is folded over the line.
@@ -104,6 +96,24 @@ bool is_facing_cut_on(const pattern::Panel& panel, const seams::PieceWords& word
 
 }  // namespace
 
+std::optional<PartedPiece> parted_along(const pattern::Panel& panel, const Chord& chord) {
+  const FoldLine line{chord.from, chord.to};
+  PartedPiece parted{line, left_of(panel, line), left_of(panel, turned(line))};
+  if (parted.larger.size() < 3 || parted.smaller.size() < 3) return std::nullopt;
+  if (std::abs(geometry::signed_area(parted.larger)) < std::abs(geometry::signed_area(parted.smaller))) {
+    std::swap(parted.larger, parted.smaller);
+    parted.line = turned(line);
+  }
+  return parted;
+}
+
+double breadth_of(const std::vector<Vec2>& part, const FoldLine& fold) {
+  const Vec2 along = normalized(fold.to - fold.from);
+  double most = 0;
+  for (const Vec2 p : part) most = std::max(most, std::abs(cross(along, p - fold.from)));
+  return most;
+}
+
 std::optional<FoldLine> fold_line(const pattern::Panel& panel, const seams::PieceWords& words) {
   const std::vector<Vec2> outline = pattern::flatten(panel.outline, kChords);
   std::optional<FoldLine> best;
@@ -113,13 +123,10 @@ std::optional<FoldLine> fold_line(const pattern::Panel& panel, const seams::Piec
     const bool to_outline = chord_across(line.points, outline, kShort).has_value();
     const std::optional<Chord> chord = chord_across(line.points, outline, kShortHalves);
     if (!chord) continue;
-    FoldLine fold{chord->from, chord->to};
-    std::vector<Vec2> rest = left_of(panel, fold), part = left_of(panel, turned(fold));
-    if (rest.size() < 3 || part.size() < 3) continue;
-    if (std::abs(geometry::signed_area(rest)) < std::abs(geometry::signed_area(part))) {
-      std::swap(rest, part);
-      fold = turned(fold);
-    }
+    const std::optional<PartedPiece> parted = parted_along(panel, *chord);
+    if (!parted) continue;
+    FoldLine fold = parted->line;
+    const std::vector<Vec2>&rest = parted->larger, &part = parted->smaller;
     if (!lies_on(part, rest, fold)) continue;
     fold.halves = lies_on(rest, part, fold);
     if (!fold.halves && !to_outline) continue;

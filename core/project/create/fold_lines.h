@@ -3,9 +3,11 @@
 // on. The garment shows, and its seams meet, what is left when it is folded.
 
 #include <optional>
+#include <vector>
 
 #include "core/pattern/pattern.h"
 #include "core/pattern/seams/piece_words.h"
+#include "core/project/create/drawn_lines.h"
 
 namespace toile::create {
 
@@ -14,6 +16,18 @@ struct FoldLine {
   Vec2 from, to;
   bool halves = false;  ///< a strip's middle: nothing is sewn there, as it may be to the edge of a front
 };
+
+/// A piece in two parts, the larger at the line's left; their outlines, mm.
+struct PartedPiece {
+  FoldLine line;
+  std::vector<Vec2> larger, smaller;
+};
+
+/// The piece parted along the chord; nothing where that leaves nothing at one side of it.
+std::optional<PartedPiece> parted_along(const pattern::Panel& panel, const Chord& chord);
+
+/// How far the part reaches from the line, mm.
+double breadth_of(const std::vector<Vec2>& part, const FoldLine& fold);
 
 /// The line of the piece, drawn from outline to outline, along which a part of it is folded back onto the
 /// rest and then lies within it, ending where it ends: a strip's middle, of whichever halves the one with

@@ -42,16 +42,6 @@ bool is_trunk(const seams::PieceWords& words) {
   return words.face != 0 && words.side == 0 && !words.layer && !words.limb;
 }
 
-double width_of(const pattern::Panel& panel) {
-  const Vec2 up = normalized(panel.grain);
-  double low = 1e30, high = -1e30;
-  for (const Vec2 p : pattern::flatten(panel.outline, 1)) {
-    low = std::min(low, cross(up, p));
-    high = std::max(high, cross(up, p));
-  }
-  return high - low;
-}
-
 /// Whether the trunk's pieces are all halves.
 bool drawn_by_halves(const seams::SeamModel& model, std::span<const pattern::Panel> panels) {
   double width = 0;
@@ -93,6 +83,16 @@ std::vector<Twice> among_pairs(const dxf::DxfDrawing& drawing, const seams::Seam
 }
 
 }  // namespace
+
+double width_of(const pattern::Panel& panel) {
+  const Vec2 up = normalized(panel.grain);
+  double low = 1e30, high = -1e30;
+  for (const Vec2 p : pattern::flatten(panel.outline, 1)) {
+    low = std::min(low, cross(up, p));
+    high = std::max(high, cross(up, p));
+  }
+  return high - low;
+}
 
 std::vector<Twice> taken_twice(const dxf::DxfDrawing& drawing, std::span<const pattern::Panel> panels) {
   const bool pairs = told_as_pairs(drawing);

@@ -9,6 +9,9 @@
 
 namespace toile::create {
 
+/// How wide the piece is across its grain, mm.
+double width_of(const pattern::Panel& panel);
+
 /// Why a piece is taken twice, once mirrored, which its file has once.
 enum class Twice {
   kNo,

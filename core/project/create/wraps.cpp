@@ -5,12 +5,11 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/geometry/polygon2.h"
 #include "core/pattern/curve.h"
-#include "core/pattern/loop_part.h"
 #include "core/pattern/own_mirror.h"
 #include "core/pattern/seams/garment_words.h"
 #include "core/project/create/drawn_lines.h"
+#include "core/project/create/halves.h"
 
 namespace toile::create {
 namespace {
@@ -21,56 +20,30 @@ constexpr double kShort = 25;                // mm that the line may end before 
 constexpr double kHalfBack[] = {0.82, 1.2};  // times half a back is wide what stays of the front …
 constexpr double kTooWide = 1.25;            // … and the whole of it
 
-/// Across the grain, mm.
-double width_of(const std::vector<Vec2>& outline, Vec2 grain) {
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const Vec2 p : outline) {
-    low = std::min(low, cross(grain, p));
-    high = std::max(high, cross(grain, p));
-  }
-  return high - low;
-}
-
 /// Half as wide as the garment's back of that kind, mm; 0 where there is none.
 double half_back(std::span<const pattern::Panel> panels, const std::vector<seams::PieceWords>& words,
                  seams::PieceKind kind) {
   double half = 0;
   for (std::size_t p = 0; p < panels.size(); ++p) {
     if (words[p].face >= 0 || words[p].kind != kind || words[p].layer || words[p].yoke) continue;
-    const double width = width_of(pattern::flatten(panels[p].outline, 0.1), normalized(panels[p].grain));
+    const double width = width_of(panels[p]);
     half = std::max(half, pattern::is_own_mirror(panels[p].outline) ? width / 2 : width);
   }
   return half;
 }
 
-std::vector<Vec2> left_of(const pattern::Loop& outline, const FoldLine& line) {
-  std::vector<Vec2> part;
-  for (const pattern::PanelEdge& edge : pattern::edges_between(outline, line.to, line.from)) {
-    const std::vector<Vec2> points = pattern::flatten(edge, 0.1);
-    part.insert(part.end(), points.begin(), points.end());
-  }
-  return part;
-}
-
-/// The line, turned so that the larger part stays; nothing where it is no middle of a front that is half a
-/// back wide from there on.
+/// The front up to that line; nothing where it is no middle of one that is half a back wide from there on.
 std::optional<Wrap> wrap_along(const pattern::Panel& front, const std::vector<Vec2>& line, double half) {
-  const std::vector<Vec2> outline = pattern::flatten(front.outline, 0.1);
-  const std::optional<Chord> chord = chord_across(line, outline, kShort);
-  const Vec2 grain = normalized(front.grain);
-  if (!chord || std::abs(dot(normalized(chord->to - chord->from), grain)) < kAlongGrain) return std::nullopt;
-  Wrap wrap{kNone, {chord->from, chord->to}, 0};
-  std::vector<Vec2> rest = left_of(front.outline, wrap.middle);
-  std::vector<Vec2> beyond = left_of(front.outline, {chord->to, chord->from});
-  if (rest.size() < 3 || beyond.size() < 3) return std::nullopt;
-  if (std::abs(geometry::signed_area(rest)) < std::abs(geometry::signed_area(beyond))) {
-    std::swap(rest, beyond);
-    wrap.middle = {chord->to, chord->from};
-  }
-  wrap.long_as = width_of(beyond, grain);
-  const double stays = width_of(rest, grain) / half;
+  const std::optional<Chord> chord = chord_across(line, pattern::flatten(front.outline, 0.1), kShort);
+  if (!chord) return std::nullopt;
+  const Vec2 along = normalized(chord->to - chord->from);
+  if (std::abs(dot(along, normalized(front.grain))) < kAlongGrain) return std::nullopt;
+  const std::optional<PartedPiece> parted = parted_along(front, *chord);
+  if (!parted) return std::nullopt;
+  const Wrap wrap{kNone, parted->line, breadth_of(parted->smaller, parted->line)};
+  const double stays = breadth_of(parted->larger, parted->line) / half;
   if (wrap.long_as < kLap[0] || wrap.long_as > kLap[1] || stays < kHalfBack[0] || stays > kHalfBack[1] ||
-      width_of(outline, grain) < kTooWide * half)
+      width_of(front) < kTooWide * half)
     return std::nullopt;
   return wrap;
 }
