@@ -199,6 +199,22 @@ TEST(PairRules, ACrotchMayHaveACornerAndAnklesMayHaveCuffs) {
   EXPECT_LT(seams::pair_merit(m, run_of(m, 4, 0), run_of(m, 0, 4))[0], 0) << "and not at the waist";
 }
 
+TEST(PairRules, YokesOfLegsMeetAtTheirDeeperEnds) {
+  const pattern::Panel yoke = piece("back yoke", {{0, 0}, {238, 30}, {225, 73}, {2, 70}});
+  const auto never = [&](int edge, std::vector<pattern::Panel> panels) {
+    const auto first = static_cast<Index>(panels.size());
+    panels.push_back(yoke);
+    panels.push_back(mirrored(yoke, "back yoke_mirrored"));
+    const SeamModel m = model_of(panels);
+    const Index r = run_of(m, first, edge);
+    return seams::never_sewn(m, r, m.mirror[r]);
+  };
+  const std::vector<pattern::Panel> legs = trousers_with(plain_back(), 740);
+  EXPECT_TRUE(never(1, legs)) << "45 mm: a side";
+  EXPECT_FALSE(never(3, legs)) << "70 mm: the middle";
+  EXPECT_FALSE(never(1, {strip("skirt", 900, 500)})) << "of a skirt either may be";
+}
+
 TEST(PairRules, AWaistbandEndsNoLegs) {
   const SeamModel m = model_of(trousers_with(plain_back(), 740));
   EXPECT_TRUE(seams::never_sewn(m, run_of(m, 4, 2), run_of(m, 0, 0))) << "its upper edge at a hem";

@@ -97,6 +97,13 @@ TEST(PieceLanguage, WhatMayShortenSeveralTermsOrNoneStaysAsItIs) {
     EXPECT_EQ(words_of_piece(name), Words{name});
 }
 
+TEST(PieceLanguage, LeftHandsCordsAndElasticsAreKnown) {
+  EXPECT_EQ(seams::words_of("0417-FRT LH").side, -1);
+  EXPECT_EQ(seams::words_of("0417-FRT RH").side, 1);
+  for (const char* layer : {"CORDON", "Kordel", "drawstring", "ELASTICO 40MM", "Gummiband"})
+    EXPECT_TRUE(seams::words_of(layer).layer) << layer;
+}
+
 TEST(PieceLanguage, FrontsAndBacksAreKnownInManyLanguages) {
   for (const char* front : {"PRET DEL", "Delantero", "Voorpijp", "prz\u00f3d", "\u00d6N", "\u00d6n beden",
                             "framstycke", "p\u0159edn\u00ed d\u00edl", "\u041f\u0435\u0440\u0435\u0434",

@@ -146,6 +146,23 @@ TEST(Offices, TheStraightEdgeOfAHoodIsAroundTheFace) {
   EXPECT_FALSE(seams::never_sewn(whole, 4, 8 + 0)) << "the necks";
 }
 
+TEST(Offices, TheFaceOfAHoodIsToldThoughItsCrownIsCut) {
+  const pattern::Panel half = piece("hood", {{0, 0}, {250, 20, Vec2{330, 300}, Vec2{100, 420}}, {-20, 365}});
+  const pattern::Pattern both{{half, mirrored(half, "hood_mirrored")}, {}};
+  seams::SeamModel m = seams::make_seam_model(both);
+  const auto face_of = [&](Index panel) {
+    return static_cast<Index>(std::find_if(m.runs.begin(), m.runs.end(),
+                                           [&](const seams::SeamRun& run) {
+                                             return run.panel == panel && run.straight && run.length > 300;
+                                           }) -
+                              m.runs.begin());
+  };
+  ASSERT_TRUE(seams::never_sewn(m, face_of(0), face_of(1)));
+  m = seams::with_cuts(both, std::move(m), 1, {m.runs[1].length / 2});
+  ASSERT_LT(m.runs[1].length, m.runs[face_of(0)].length);
+  EXPECT_TRUE(seams::never_sewn(m, face_of(0), face_of(1)));
+}
+
 TEST(Offices, ANumberThatEndsOneNameAloneIsASizeAndNoRow) {
   const pattern::Panel arm = plain_sleeve("SLV-2", 110);
   const seams::SeamModel m = seams::make_seam_model({{arm, mirrored(arm, "SLV-2_mirrored")}, {}});

@@ -352,6 +352,9 @@ TEST(ProjectNew, WithoutAnOpeningAWaistThatIsShapedALittleIsPulledOnToo) {
     return create::new_project(drawing_of(panels), settings(0.8))->project.elastics.size();
   };
   EXPECT_EQ(elastics(banded), 1u);
+  std::vector<pattern::Panel> narrow = pyjamas(255);  // 85 %
+  narrow.push_back(garments::piece("Waistband", {{0, 0}, {1020, 0}, {1020, 40}, {0, 40}}));
+  EXPECT_EQ(elastics(narrow), 1u);
   banded.push_back(garments::piece("Fly facing", {{0, 0}, {50, 0}, {50, 170}, {0, 170}}));
   EXPECT_EQ(elastics(banded), 0u) << "it has a zip";
 }
