@@ -18,6 +18,7 @@ namespace toile::drape {
 namespace {
 
 constexpr double kEnoughForBorders = 0.03;  // m; enough to tell how many borders a part has
+constexpr double kTrifle = 0.03;            // of the largest part's area: a pocket sewn to itself
 
 /// Whether all panels hang together by seams, without looking at any mesh.
 bool all_sewn(const pattern::Pattern& pattern) {
@@ -57,7 +58,7 @@ std::vector<Index> worn_panels(const DrapeInput& input, const std::vector<mesh::
   std::vector<Index> worn;
   for (const mesh::SewnPart& part : parts) {
     const auto any = [&](auto is) { return std::any_of(part.panels.begin(), part.panels.end(), is); };
-    const bool garment = part.borders.size() > 1 &&
+    const bool garment = part.borders.size() > 1 && part.area > kTrifle * largest->area &&
                          any([&](Index p) { return !belongs_to_another(input.pattern.panels[p].id); });
     const bool keeps =
         &part == &*largest || largest->seams == 0 || garment || any([&](Index p) { return held[p] != 0; });

@@ -18,12 +18,19 @@ struct DxfTitle {
   std::optional<std::size_t> entity;  ///< that says it; none where it is the name of a block
 };
 
+/// What texts say of the fold that a piece is cut on.
+struct DxfToldFold {
+  std::optional<int> line = std::nullopt;  ///< of the first text that says so; labels may be of other folds
+  std::vector<Vec2> labels = {};           ///< where texts stand that say nothing else, mm
+};
+
 /// A piece with what the report has to know of it.
 struct DxfFound {
   DxfPiece piece;
   int id = 0;                         ///< its number in the log
   std::vector<std::size_t> entities;  ///< those of its outline
   std::vector<DxfTitle> titles = {};  ///< words that stand in it or beside it, the likeliest first
+  DxfToldFold fold = {};
 };
 
 /// A piece among the loops that it was made from; these outlive it.

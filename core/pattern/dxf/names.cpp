@@ -9,6 +9,7 @@
 
 #include "core/base/text.h"
 #include "core/geometry/polygon2.h"
+#include "core/pattern/dxf/told_folds.h"
 #include "core/pattern/dxf/told_quantity.h"
 #include "core/pattern/dxf/words.h"
 
@@ -30,6 +31,7 @@ std::optional<double> nearness(const DxfPiece& piece, const Aabb2& box, Vec2 at,
 /// A text that may name a piece. The order is that of preference.
 struct Title {
   bool stated = false, named = false;  // "Piece Name: …"; a word rather than a figure or a mark
+  bool brief = false;                  // a few words, as names are: titles of the drawing say more
   double height = 0, off = 0;
   int line = 0;
   std::string name;
@@ -37,6 +39,7 @@ struct Title {
   bool better(const Title& b) const {
     if (stated != b.stated) return stated;
     if (named != b.named) return named;
+    if (brief != b.brief) return brief;
     if (height != b.height) return height > b.height;
     return off != b.off ? off < b.off : line < b.line;
   }
@@ -72,18 +75,21 @@ std::string take_quantity(DxfFound& found, const std::string& value, int line, D
   return found.piece.mirrored > 0 ? "quantity, some of them turned over" : "quantity";
 }
 
-std::string take_annotation(DxfFound& found, const std::string& value, int line, DxfNotes& notes) {
-  DxfPiece& piece = found.piece;
-  if (piece.annotation.empty()) piece.annotation = value;
-  if (!piece.unfolded && lower_case(value).find("on fold") != std::string::npos)
-    notes.warn(line, "the piece is to be cut on the fold, but no mirror line says where it lies", found.id);
+/// Notes that the text says of the piece that it is cut on the fold, if it does; `at`: where it stands, mm.
+void hear_of_fold(DxfFound& found, const std::string& text, int line, std::optional<Vec2> at) {
+  if (tells_fold(text) && !found.fold.line) found.fold.line = line;
+  if (at && tells_only_fold(text)) found.fold.labels.push_back(*at);
+}
+
+std::string take_annotation(DxfFound& found, const std::string& value) {
+  if (found.piece.annotation.empty()) found.piece.annotation = value;
   return "annotation";
 }
 
 /// Gives the piece what the statement says. What it tells in the report; empty: nothing for a piece.
 std::string take_statement(DxfFound& found, const DxfStatement& s, int line, DxfNotes& notes) {
   if (s.key == "quantity") return take_quantity(found, s.value, line, notes);
-  if (s.key == "annotation") return take_annotation(found, s.value, line, notes);
+  if (s.key == "annotation") return take_annotation(found, s.value);
   if (s.key == "size") return "size of the piece";
   if (s.key == "category") {
     found.piece.category = s.value;
@@ -108,6 +114,7 @@ void hear(const DxfText& text, const DxfPlace& place, DxfFound& found, Heard& he
   if (name && is_lost(s->value))
     notes.warn(text.line, "the piece's name was lost ('" + s->value + "'): it is called " + place.name,
                found.id);
+  hear_of_fold(found, s->value, text.line, std::nullopt);
   const std::string told = name ? "name of the piece" : take_statement(found, *s, text.line, notes);
   if (told.empty()) return;
   heard.keys.insert(s->key);
@@ -130,8 +137,12 @@ Heard hear_statements(DxfFound& found, const DxfPlace& place, DxfNotes& notes) {
 /// A text as a title: its statement's value when it states a name.
 Title title_of(const DxfText& text, const std::optional<DxfStatement>& statement) {
   const bool stated = statement && statement->key == "piece name" && !statement->value.empty();
-  Title title{stated, false, text.height, 0, text.line, stated ? statement->value : text.text, text.entity};
-  title.named = is_word(title.name) && !is_lost(title.name) && !tells_only_quantity(title.name);
+  constexpr std::size_t kBrief = 5;  // words
+  Title title{stated,     false, false, text.height, 0, text.line, stated ? statement->value : text.text,
+              text.entity};
+  title.brief = words_of_name(title.name).size() <= kBrief;
+  title.named = is_word(title.name) && !is_lost(title.name) && !tells_only_quantity(title.name) &&
+                !tells_only_fold(title.name);
   return title;
 }
 
@@ -205,6 +216,7 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
     Title title = title_of(text, statement);
     title.off = nearest->off;
     DxfFound& found = named.pieces[nearest->piece];
+    hear_of_fold(found, text.text, text.line, to_mm(text.at));
     if (statement && !title.stated) {
       const std::string told = take_statement(found, *statement, text.line, named.notes);
       if (!told.empty()) named.notes.mark(text.entity, DxfFate::kConverted, told, found.id);

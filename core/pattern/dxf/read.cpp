@@ -20,6 +20,7 @@
 #include "core/pattern/dxf/repair.h"
 #include "core/pattern/dxf/shared_titles.h"
 #include "core/pattern/dxf/sizes.h"
+#include "core/pattern/dxf/told_folds.h"
 #include "core/pattern/dxf/units.h"
 
 namespace toile::dxf {
@@ -178,7 +179,9 @@ Result<Attempt> read_all(const Drawing& drawing, const DxfReading& reading) {
   Checked good = checked(std::move(named.pieces));
   attempt.log.take(good.notes);
   if (!attempt.fault) attempt.fault = good.notes.fault;
-  attempt.pieces = std::move(good.pieces);
+  named = unfolded_where_told(std::move(good.pieces));
+  attempt.log.take(named.notes);
+  attempt.pieces = std::move(named.pieces);
   return attempt;
 }
 

@@ -37,8 +37,8 @@ constexpr std::string_view kBesideWords =
     "speculari;"
     "miroir;espejo;espelhado;gespiegeld;peilikuva;tukrozve;tukorkep;lustrzane;oglinda;zrcalno;";
 
-bool is_among(std::string_view list, const std::string& word) {
-  return list.find(";" + word + ";") != std::string_view::npos;
+bool is_among(std::string_view list, std::string_view word) {
+  return list.find(";" + std::string(word) + ";") != std::string_view::npos;
 }
 
 /// Whether the word is one of the list's, or the beginning of one: "tagl", "cort".
@@ -117,5 +117,8 @@ bool tells_only_quantity(std::string_view text) {
     return false;
   });
 }
+
+bool is_fold_word(std::string_view word) { return is_among(kFoldWords, word); }
+bool is_beside_word(std::string_view word) { return is_among(kBesideWords, word); }
 
 }  // namespace toile::dxf

@@ -16,4 +16,10 @@ std::optional<DxfQuantity> told_quantity(std::string_view text);
 /// Whether that is all that the text tells: it is no piece's name.
 bool tells_only_quantity(std::string_view text);
 
+/// Whether the word (small Latin letters) is one for a fold of cloth.
+bool is_fold_word(std::string_view word);
+
+/// Whether the word says nothing by itself where a text tells how a piece is cut: "on", "the", "x".
+bool is_beside_word(std::string_view word);
+
 }  // namespace toile::dxf

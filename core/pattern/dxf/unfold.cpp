@@ -29,8 +29,8 @@ void unfold_lines(std::vector<std::vector<Vec2>>& lines, const FoldAxis& axis) {
   lines.insert(lines.end(), copies.begin(), copies.end());
 }
 
-/// Puts the whole piece in the place of the half on one side of the axis, with its holes, marks and lines.
-/// False, and nothing done, when the outline does not run along the axis.
+}  // namespace
+
 bool unfold_piece(DxfPiece& piece, const FoldAxis& axis) {
   std::optional<UnfoldedLoop> whole = unfolded_loop(piece.outline, axis);
   if (!whole) return false;
@@ -67,6 +67,8 @@ bool unfold_piece(DxfPiece& piece, const FoldAxis& axis) {
   }
   return true;
 }
+
+namespace {
 
 /// Unfolds the piece about the chain's axis, or says why not.
 void unfold_about(const DxfChain& line, const FoldAxis& axis, DxfFound& owner, DxfNotes& notes) {

@@ -3,10 +3,15 @@
 
 #include <vector>
 
+#include "core/pattern/dxf/fold.h"
 #include "core/pattern/dxf/found.h"
 #include "core/pattern/dxf/roles.h"
 
 namespace toile::dxf {
+
+/// Puts the whole piece in the place of the half on one side of the axis, with its holes, marks and lines.
+/// False, and nothing done, when the outline does not run along the axis.
+bool unfold_piece(DxfPiece& piece, const FoldAxis& axis);
 
 /// The pieces, whole where a mirror line runs along their outlines. It comes after all that lies within them,
 /// so that the other half has it too.

@@ -78,6 +78,30 @@ double mouth_of(const pattern::Panel& panel, std::size_t first) {
          corner_angle(edges[(first + 1) % n], edges[(first + 2) % n]);
 }
 
+/// Whether the outline is its own mirror image about the corner after the edge `first`, by its edges'
+/// lengths.
+bool is_mirrored_about(const pattern::Panel& panel, std::size_t first) {
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  const std::size_t n = edges.size();
+  for (std::size_t k = 0; k <= n / 2; ++k) {
+    const double before = pattern::arc_length(edges[(first + n - k) % n]);
+    const double after = pattern::arc_length(edges[(first + 1 + k) % n]);
+    if (std::abs(before - after) > kDartWeights.halves * std::max(before, after)) return false;
+  }
+  return true;
+}
+
+/// Whether the edges `first` and the next are the V of a neck: in the middle of a whole front or back, and so
+/// wide that a head may go through.
+bool is_neck(const pattern::Panel& panel, std::size_t first) {
+  const PieceWords words = words_of(panel.id);
+  const bool trunk = words.kind == PieceKind::kTorso || (words.kind == PieceKind::kOther && words.face != 0);
+  if (!trunk || mouth_up(panel, first) < kDartWeights.faces_up) return false;
+  const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
+  const Vec2 across = edges[(first + 1) % edges.size()].curves.back().p3 - edges[first].curves.front().p0;
+  return length(across) > kDartWeights.neck && is_mirrored_about(panel, first);
+}
+
 /// Whether the edges `first` and the next of the panel are a dart's legs.
 bool is_closed(const pattern::Panel& panel, std::size_t first) {
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
@@ -85,7 +109,7 @@ bool is_closed(const pattern::Panel& panel, std::size_t first) {
   const pattern::PanelEdge& in = edges[first];
   const pattern::PanelEdge& out = edges[(first + 1) % n];
   const double a = pattern::arc_length(in), b = pattern::arc_length(out);
-  if (std::abs(a - b) > kDartWeights.legs * std::max(a, b)) return false;
+  if (std::abs(a - b) > kDartWeights.legs * std::max(a, b) || is_neck(panel, first)) return false;
   const double tip = 360 - corner_angle(in, out);
   const bool waist = mouth_up(panel, first) > kDartWeights.top && has_waist(words_of(panel.id).kind);
   const double mouth = mouth_of(panel, first);

@@ -14,6 +14,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/named_by_shape.h"
+#include "core/pattern/seams/named_strips.h"
 #include "core/pattern/seams/piece_up.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/second_layers.h"
@@ -295,6 +296,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
     find_twins(model);  // strips stand another way than they were drawn, and mirror themselves so
   } else {
     name_lone_sleeves(model);
+    name_lone_neckband(model, neck_of(model));
   }
   name_legs(model);
   find_crotch_sides(model);

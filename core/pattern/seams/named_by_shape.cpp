@@ -221,20 +221,6 @@ double ends_of(const SeamModel& m, PieceKind kind, bool up) {
   return sum;
 }
 
-/// Length of the necks of all bodices, mm.
-double neck_of(const SeamModel& m) {
-  std::vector<const SeamRun*> necks;
-  for (Index p = 0; p < pieces(m); ++p) {
-    if (m.words[p].kind != PieceKind::kTorso) continue;
-    for (const Shoulder& shoulder : shoulders_of(m, p))
-      if (std::find(necks.begin(), necks.end(), shoulder.neck) == necks.end()) necks.push_back(shoulder.neck);
-    if (const SeamRun* neck = cut_on_neck(m, p)) necks.push_back(neck);
-  }
-  double sum = 0;
-  for (const SeamRun* neck : necks) sum += neck->length;
-  return sum;
-}
-
 /// Length around a wrist of sleeves that are cut on, where the shoulders end, mm; 0 where there are none.
 double cut_on_wrist(const SeamModel& m) {
   double wrist = 0;
@@ -289,6 +275,19 @@ bool names_nothing(const SeamModel& m) {
     return w.kind == kTorso || w.kind == kSkirt || w.kind == kLegs || w.kind == kSleeve || w.kind == kHood ||
            w.face != 0 || w.flank;
   });
+}
+
+double neck_of(const SeamModel& m) {
+  std::vector<const SeamRun*> necks;
+  for (Index p = 0; p < pieces(m); ++p) {
+    if (m.words[p].kind != PieceKind::kTorso) continue;
+    for (const Shoulder& shoulder : shoulders_of(m, p))
+      if (std::find(necks.begin(), necks.end(), shoulder.neck) == necks.end()) necks.push_back(shoulder.neck);
+    if (const SeamRun* neck = cut_on_neck(m, p)) necks.push_back(neck);
+  }
+  double sum = 0;
+  for (const SeamRun* neck : necks) sum += neck->length;
+  return sum;
 }
 
 void name_shapes(SeamModel& m) {

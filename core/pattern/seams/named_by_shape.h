@@ -20,4 +20,7 @@ void name_by_fit(SeamModel& m);
 /// two edges of one length. REQUIRES twins.
 void name_lone_sleeves(SeamModel& m);
 
+/// How long the necks of all bodices are, mm.
+double neck_of(const SeamModel& m);
+
 }  // namespace toile::seams

@@ -17,7 +17,7 @@ Index panels_of(const SeamModel& m) { return static_cast<Index>(m.words.size());
 
 /// Length of the long sides of a strip that is that many times as long as wide, mm; 0 of what is none.
 double strip_length(const SeamModel& m, Index panel, double slim) {
-  constexpr double kAlike = 0.05;  // share
+  constexpr double kAlike = 0.1;  // share: ends may be mitred
   const std::vector<Index> runs = runs_of(m, panel);
   if (runs.size() != 4) return 0;
   const auto run = [&](std::size_t k) -> const SeamRun& { return m.runs[runs[k]]; };
@@ -94,6 +94,25 @@ void name_strips(SeamModel& m, const StripPlaces& around) {
       break;
     }
   }
+}
+
+void name_lone_neckband(SeamModel& m, double neck) {
+  using enum PieceKind;
+  constexpr double kSlim = 6, kFits[2] = {0.75, 1.02};  // times as long as wide; as the neck, of knits
+  const bool other = std::any_of(m.words.begin(), m.words.end(),
+                                 [](const PieceWords& w) { return is_neck(w.kind) && !w.layer; });
+  if (other || neck == 0) return;
+  std::vector<Index> fits;
+  for (Index p = 0; p < panels_of(m); ++p) {
+    const PieceWords& words = m.words[p];
+    const double ratio = strip_length(m, p, kSlim) / neck;
+    const bool told = words.kind != kOther || words.layer || words.hem_band || words.face != 0;
+    if (!told && ratio > kFits[0] && ratio < kFits[1]) fits.push_back(p);
+  }
+  if (fits.size() != 1) return;
+  m.words[fits.front()].guess(kCollar);
+  m.words[fits.front()].stand = true;
+  stand_along(m, fits.front());
 }
 
 void name_waistband(SeamModel& m) {

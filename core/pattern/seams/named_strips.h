@@ -17,6 +17,9 @@ struct StripPlaces {
 /// Strips that fit a waist, wrists, a neck, a hem.
 void name_strips(SeamModel& m, const StripPlaces& around);
 
+/// Of a top without collar or hood, the one strip that fits its neck (mm), whatever it is called: "Blende".
+void name_lone_neckband(SeamModel& m, double neck);
+
 /// Where nothing is known but bands: a strip that is as long as the upper ends of two pieces that mirror each
 /// other is a skirt's waistband, and such pairs are its tiers.
 void name_waistband(SeamModel& m);

@@ -49,7 +49,8 @@ constexpr std::string_view kGerman =
     "panel;teilungsnaht=panel;"
     "stehbund=collar;umlegekragen=collar;bubikragen=collar;schalkragen=collar;rollkragen=collar;"
     "jeans=pants;shorts=pants;"
-    "innenbund=facing;innenbeleg=facing;knopfband=placket;";
+    "innenbund=facing;innenbeleg=facing;knopfband=placket;"
+    "nackenband=tape;nahtband=tape;koperband=tape;kantenband=tape;";
 
 constexpr std::string_view kFrench =
     "lacet=cord;elastique=elastic;devant=front;dos=back;gauche=left;droit=right;droite=right;cote=side;bord "
@@ -75,7 +76,7 @@ constexpr std::string_view kFrench =
     "pont=fly;gousset=gusset;emmanchure=armhole;"
     "jambes=leg;poignets=cuff;bretelles=strap;poches=pocket;cotes=side;capuches=hood;robe=dress;"
     "blouson=jacket;combinaison=overall;"
-    "interieur=facing;interieure=facing;";
+    "interieur=facing;interieure=facing;ruban=tape;";
 
 constexpr std::string_view kSpanishPortuguese =
     "cordon=cord;cordao=cord;elastico=elastic;delant=front;post=back;esp=back;espald=back;tras=back;pret="
@@ -109,10 +110,11 @@ constexpr std::string_view kSpanishPortuguese =
     "pechera=bib;botonadura=placket;costadillo=side;delanteros=front;espaldas=back;vuelta manga=cuff;"
     "centro frente=front;centro costas=back;frentes=front;espelho=facing;debrum=binding;passadeira=loop;"
     "portinhola=flap;fundo bolso=pocket;canesus=yoke;cuellos=collar;fajon=hem band;quimono=dress;"
-    "saias=skirt;cos elastico=waistband;";
+    "saias=skirt;cos elastico=waistband;cinta cuello=tape;cinta hombro=tape;cinta nuca=tape;fita=tape;";
 
 constexpr std::string_view kItalian =
-    "cordoncino=cord;dav=front;davanti=front;davanto=front;dietro=back;schiena=back;sinistra=left;sinistro="
+    "nastro=tape;fettuccia=tape;cordoncino=cord;dav=front;davanti=front;davanto=front;dietro=back;schiena="
+    "back;sinistra=left;sinistro="
     "left;destra=right;"
     "destro=right;fianco=side;fianchetto=side;manica=sleeve;collo=collar;colletto=collar;"
     "cappuccio=hood;polso=cuff;polsino=cuff;cinturino=waistband;gonna=skirt;pantalone=pants;"
@@ -341,7 +343,7 @@ constexpr PieceTerm kSigns[] = {
     {"褲", "pants"},          {"パンツ", "pants"},      {"袋", "pocket"},         {"衬", "interlining"},
     {"朴", "interlining"},    {"芯", "interlining"},    {"贴", "facing"},         {"边", "edge"}};
 
-/// Compounds: what a word of German or Dutch begins with …
+/// Compounds: what a word of German, Dutch or Swedish begins with …
 constexpr PieceTerm kBeginnings[] = {
     {"vorder", "front"}, {"voor", "front"},    {"rucken", "back"},    {"hinter", "back"}, {"achter", "back"},
     {"seiten", "side"},  {"zij", "side"},      {"hals", "neck"},      {"saum", "hem"},    {"zoom", "hem"},
@@ -382,7 +384,13 @@ constexpr PieceTerm kEndings[] = {{"armel", "sleeve"},
                                   {"zak", "pocket"},
                                   {"voering", "lining"},
                                   {"manchet", "cuff"},
-                                  {"schouderband", "strap"}};
+                                  {"schouderband", "strap"},
+                                  {"ficka", "pocket"},
+                                  {"fickor", "pocket"},
+                                  {"lomme", "pocket"},
+                                  {"krage", "collar"},
+                                  {"foder", "lining"},
+                                  {"infodring", "facing"}};
 
 /// Of all tables in a row; of terms that more than one language has, the first counts.
 std::vector<PieceTerm> terms_in_order() {

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "core/base/text.h"
@@ -82,9 +83,9 @@ bool holds_in_a_row(const std::vector<std::string>& words, const char* first, co
 
 /// Whether the word tells of cloth that lies on other cloth, alone or at the end of another word.
 bool lies_on_cloth(const std::string& word) {
-  static const char* const kAlone[] = {"canvas", "welt",    "bag",   "flap",    "stay",  "guard",
-                                       "shield", "loop",    "tab",   "fly",     "loops", "piping",
-                                       "fusing", "fusible", "patch", "elastic", "cord",  "drawstring"};
+  static const char* const kAlone[] = {
+      "canvas", "welt",   "bag",    "flap",    "stay",  "guard",   "shield", "loop",       "tab", "fly",
+      "loops",  "piping", "fusing", "fusible", "patch", "elastic", "cord",   "drawstring", "tape"};
   static const char* const kEnds[] = {"lining",  "facing",      "pocket", "undercollar",
                                       "placket", "zipperguard", "binding"};
   return std::any_of(std::begin(kAlone), std::end(kAlone), [&](const char* w) { return word == w; }) ||
@@ -134,6 +135,15 @@ void tell_letter_pairs(const pattern::Pattern& pattern, std::vector<PieceWords>&
       }
     }
   }
+}
+
+/// Whether the word is all that the name says beside a style's number: "RT", "4711-RT", "rt_mirrored".
+bool says_alone(const std::string& name, std::string_view word) {
+  std::vector<std::string> words = words_of_name(name);
+  std::erase_if(words, [](const std::string& w) {
+    return w == "mirrored" || w.find_first_not_of("0123456789") == w.npos;
+  });
+  return words.size() == 1 && words.front() == word;
 }
 
 /// A waistband of what has sleeves, and neither a skirt nor legs, is where the top ends below.
@@ -223,18 +233,14 @@ PieceWords words_of(const std::string& name) {
 }
 
 std::vector<PieceWords> words_of_garment(const pattern::Pattern& pattern) {
-  constexpr std::size_t kGarment = 3;                                         // pieces
-  const auto is = [](const pattern::Panel& panel, const std::string& word) {  // or a copy of it, turned over
-    const std::string id = lower_case(panel.id);
-    return id == word || id.starts_with(word + "_mirrored");
-  };
+  constexpr std::size_t kGarment = 3;  // pieces
   const bool german = std::any_of(pattern.panels.begin(), pattern.panels.end(),
-                                  [&](const pattern::Panel& panel) { return is(panel, "vt"); });
+                                  [](const pattern::Panel& panel) { return says_alone(panel.id, "vt"); });
   std::vector<PieceWords> all;
   all.reserve(pattern.panels.size());
   for (const pattern::Panel& panel : pattern.panels) {
     PieceWords& words = all.emplace_back(words_of(panel.id));
-    if (!german || !is(panel, "rt")) continue;
+    if (!german || !says_alone(panel.id, "rt")) continue;
     words.face = -1;
     words.side = 0;
   }

@@ -326,6 +326,8 @@ struct DartWeights {
   double smooth_deg = 3;          ///< that an outline may bend by where an edge goes on
   double halves = 0.005;          ///< but not between edges that differ by less than this share
   double top = 0.5;               ///< mouths of skirts, legs and sleeves that face up less are slits
+  double neck = 90;               ///< mm, that a V in the middle is wide which is a neck and no dart, …
+  double faces_up = 0.9;          ///< … by which it faces up at least
 };
 
 /// How sure a proposal is, from its margin: what the best garment without the seam would lose.
