@@ -135,9 +135,11 @@ int face_of_name(const std::string& name) {
 }
 
 Cover cover_of_name(const std::string& name) {
-  const seams::PieceWords told = seams::words_of(name);  // of several words, as "hem band" and "neck rib"
+  // Of several words, as "hem band", "neck rib" and "sleeve rib", the last of which is no sleeve.
+  const seams::PieceWords told = seams::words_of(name);
   if (told.hem_band) return Cover::kWaistband;
   if (told.kind == seams::PieceKind::kCollar) return Cover::kCollar;
+  if (told.kind == seams::PieceKind::kCuff) return Cover::kCuff;
   const std::vector<std::string> words = seams::words_of_piece(name);
   for (const CoverWord& known : kWords) {
     const bool met = std::any_of(words.begin(), words.end(), [&](const std::string& w) {

@@ -123,6 +123,18 @@ bool are_trousers(const std::vector<std::string>& pieces, bool legs) {
   return (legs || any(seams::PieceKind::kLegs)) && !any(seams::PieceKind::kTorso);
 }
 
+bool is_rib(const std::vector<std::string>& words) { return has(words, "rib") || has(words, "ribbing"); }
+
+/// A hood and ribs: of the garments that have both most are sweatshirts.
+bool are_of_sweatshirt(const std::vector<std::string>& pieces) {
+  bool rib = false, hood = false;
+  for (const std::string& piece : pieces) {
+    rib = rib || is_rib(seams::words_of_piece(piece));
+    hood = hood || seams::words_of(piece).kind == seams::PieceKind::kHood;
+  }
+  return rib && hood;
+}
+
 /// A neckband that no collar is sewn to is a rib: knits have one, since nothing else closes their neck.
 bool are_of_a_knit(const std::vector<std::string>& pieces) {
   bool band = false, collar = false;
@@ -137,6 +149,7 @@ bool are_of_a_knit(const std::vector<std::string>& pieces) {
 
 std::string garment_fabric(const std::string& name, const std::vector<std::string>& pieces, bool legs) {
   if (const char* fabric = fabric_of(garment_words(name))) return fabric;
+  if (are_of_sweatshirt(pieces)) return "sweatshirt-fleece";
   if (are_of_a_knit(pieces)) return "single-jersey";
   if (!are_trousers(pieces, legs)) return "shirting";
   // Legs say by their own names what trousers they are: "LEGGING LEG", "JEANS BACK".
@@ -149,7 +162,8 @@ std::string piece_fabric(const std::string& piece) {
   const std::vector<std::string> words = seams::words_of_piece(piece);
   for (const char* word : {"interlining", "interfacing", "fusing", "fusible"})
     if (has(words, word)) return "interlining";
-  return has(words, "lining") || has(words, "underlining") ? "lining" : "";
+  if (has(words, "lining") || has(words, "underlining")) return "lining";
+  return is_rib(words) ? "rib" : "";
 }
 
 std::string material_fabric(const std::string& material) {
