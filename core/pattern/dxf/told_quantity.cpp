@@ -7,6 +7,7 @@
 
 #include "core/base/latin_letters.h"
 #include "core/base/text.h"
+#include "core/pattern/dxf/statement_keys.h"
 
 namespace toile::dxf {
 namespace {
@@ -31,7 +32,7 @@ constexpr std::string_view kFoldWords =
 /// Beside all these, where a text tells of nothing but how often a piece is cut.
 constexpr std::string_view kBesideWords =
     ";x;on;the;of;in;aan;de;het;op;para;bias;biais;schuin;sbieco;schrag;lesie;im;am;auf;au;aux;al;a;sur;sul;"
-    "na;so;po;v;do;w;ve;i;and;und;et;y;e;mirrored;mirror;"
+    "na;so;po;v;do;w;ve;i;and;und;et;y;e;mirrored;mirror;mirr;mir;"
     "gespiegelt;"
     "spiegelbildlich;gegengleich;zerkalno;zrcadlove;zrcadlovo;aynali;spegelvand;spegelvant;speculare;"
     "speculari;"
@@ -74,6 +75,9 @@ std::vector<Token> tokens_of(std::string_view text) {
   return tokens;
 }
 
+/// Whether the word is what a quantity is called: "QTY 2".
+bool is_quantity(const std::string& word) { return english_key(word) == "quantity"; }
+
 /// The figure that the tokens tell a quantity by; 0 where there is none.
 int counted_by(const std::vector<Token>& tokens) {
   for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -88,7 +92,8 @@ int counted_by(const std::vector<Token>& tokens) {
     const bool last = i + 2 == tokens.size();  // "2 para forro" are two for a lining
     if (is_among(kPairWords, after) || (last && after == "para"))
       return figure % 2 == 0 ? figure : 2 * figure;
-    if (before == "x" || after == "x" || begins_one(kCutWords, before) || is_among(kCountWords, after))
+    if (before == "x" || after == "x" || begins_one(kCutWords, before) || is_among(kCountWords, after) ||
+        is_quantity(before))
       return figure;
   }
   return 0;
@@ -111,7 +116,7 @@ bool tells_only_quantity(std::string_view text) {
   if (!told_quantity(text)) return false;
   const std::vector<Token> tokens = tokens_of(text);
   return std::all_of(tokens.begin(), tokens.end(), [](const Token& t) {
-    if (t.is_figure() || begins_one(kCutWords, t.text)) return true;
+    if (t.is_figure() || begins_one(kCutWords, t.text) || is_quantity(t.text)) return true;
     for (const std::string_view list : {kCountWords, kPairWords, kManyPairWords, kFoldWords, kBesideWords})
       if (is_among(list, t.text)) return true;
     return false;

@@ -59,6 +59,21 @@ void name_tiers(SeamModel& m) {
   }
 }
 
+/// Of several waistbands of trousers, none of which another one repeats, those that fit the waist less well
+/// lie in it: an elastic.
+void tell_elastics(SeamModel& m, double waist) {
+  constexpr double kMuch = 0.05;  // of the waist, that one fits it less well by
+  std::vector<std::pair<double, Index>> bands;
+  for (Index p = 0; p < panels_of(m); ++p) {
+    const double length = strip_length(m, p, 0);
+    if (m.words[p].kind == PieceKind::kBand && m.words[p].guessed && length > 0)
+      bands.emplace_back(std::abs(length - waist), p);
+  }
+  std::sort(bands.begin(), bands.end());
+  for (std::size_t k = 1; k < bands.size(); ++k)
+    m.words[bands[k].second].layer = bands[k].first > bands[0].first + kMuch * waist;
+}
+
 }  // namespace
 
 void name_strips(SeamModel& m, const StripPlaces& around) {
@@ -94,6 +109,7 @@ void name_strips(SeamModel& m, const StripPlaces& around) {
       break;
     }
   }
+  if (around.waist > 0) tell_elastics(m, around.waist);
 }
 
 void name_lone_neckband(SeamModel& m, double neck) {

@@ -50,7 +50,9 @@ constexpr std::string_view kGerman =
     "stehbund=collar;umlegekragen=collar;bubikragen=collar;schalkragen=collar;rollkragen=collar;"
     "jeans=pants;shorts=pants;"
     "innenbund=facing;innenbeleg=facing;knopfband=placket;"
-    "nackenband=tape;nahtband=tape;koperband=tape;kantenband=tape;";
+    "futtersatin=satin;futtertaft=satin;rockbund=waistband;hosenbund=waistband;taillenbund=waistband;"
+    "nackenband=tape;nahtband=tape;koperband="
+    "tape;kantenband=tape;";
 
 constexpr std::string_view kFrench =
     "lacet=cord;elastique=elastic;devant=front;dos=back;gauche=left;droit=right;droite=right;cote=side;bord "
@@ -251,7 +253,9 @@ constexpr std::string_view kCzechSlovak =
     "opasok=belt;naplet krk=neckband;naplet krku=neckband;naplet rukav=cuff;naplet rukavu=cuff;"
     "manzety=cuff;manzetka=cuff;leginy=leggings;tilko=tshirt;sukni=skirt;sukne predni=front skirt;"
     "sukne zadni=back skirt;"
-    "pd=front;zd=back;";
+    "lem=band;lem krku=neckband;lem vystrihu=neckband;lem rukavu=cuff;spodni lem=hem rib;dolni lem=hem "
+    "rib;krk=neck;"
+    "krku=neck;pd=front;zd=back;";
 
 // Russian and Ukrainian, as they are written in Latin letters.
 constexpr std::string_view kRussianUkrainian =
@@ -345,9 +349,14 @@ constexpr PieceTerm kSigns[] = {
 
 /// Compounds: what a word of German, Dutch or Swedish begins with …
 constexpr PieceTerm kBeginnings[] = {
-    {"vorder", "front"}, {"voor", "front"},    {"rucken", "back"},    {"hinter", "back"}, {"achter", "back"},
-    {"seiten", "side"},  {"zij", "side"},      {"hals", "neck"},      {"saum", "hem"},    {"zoom", "hem"},
-    {"bauch", "waist"},  {"taillen", "waist"}, {"taschen", "pocket"}, {"zak", "pocket"}};
+    {"vorder", "front"},   {"voor", "front"},    {"rucken", "back"},   {"hinter", "back"},
+    {"achter", "back"},    {"seiten", "side"},   {"zij", "side"},      {"hals", "neck"},
+    {"saum", "hem"},       {"zoom", "hem"},      {"bauch", "waist"},   {"taillen", "waist"},
+    {"taschen", "pocket"}, {"zak", "pocket"},    {"fram", "front"},    {"bak", "back"},
+    {"sid", "side"},       {"rock", "skirt"},    {"hosen", "pants"},   {"jacken", "jacket"},
+    {"armel", "sleeve"},   {"kragen", "collar"}, {"futter", "lining"}, {"oberteil", "bodice"},
+    {"mieder", "bodice"},  {"blusen", "blouse"}, {"rok", "skirt"},     {"broek", "pants"},
+    {"mouw", "sleeve"},    {"kjol", "skirt"},    {"byx", "pants"}};
 /// … and ends with.
 constexpr PieceTerm kEndings[] = {{"armel", "sleeve"},
                                   {"kragen", "collar"},
@@ -390,7 +399,16 @@ constexpr PieceTerm kEndings[] = {{"armel", "sleeve"},
                                   {"lomme", "pocket"},
                                   {"krage", "collar"},
                                   {"foder", "lining"},
-                                  {"infodring", "facing"}};
+                                  {"infodring", "facing"},
+                                  {"vorderteil", "front"},
+                                  {"hinterteil", "back"},
+                                  {"ruckenteil", "back"},
+                                  {"seitenteil", "side"},
+                                  {"voorpand", "front"},
+                                  {"achterpand", "back"},
+                                  {"zijpand", "side"},
+                                  {"framstycke", "front"},
+                                  {"bakstycke", "back"}};
 
 /// Of all tables in a row; of terms that more than one language has, the first counts.
 std::vector<PieceTerm> terms_in_order() {

@@ -131,17 +131,27 @@ bool is_tier_on_tier(const SeamModel& m, const Chain& a, const Chain& b) {
   return m.nameless && level(upper, -1) && level(lower, 1) && meeting_corners(m, a, b) == 1;
 }
 
-/// The least that lengths say where one chain is a waistband all around and the other the upper edge of a
-/// skirt about twice as long, as it is where its pleats are drawn open: they are gathered. Nothing where that
-/// is none.
-std::optional<double> pleats_on_band(const SeamModel& m, const Chain& a, const Chain& b) {
-  const Chain &band = a.length < b.length ? a : b, &skirt = a.length < b.length ? b : a;
+/// Whether the chain is the lower border of a bodice, all around.
+bool is_waist_of_bodice(const SeamModel& m, const Chain& chain) {
+  using enum PieceKind;
+  return chain.whole && std::all_of(chain.runs.begin(), chain.runs.end(), [&](Index r) {
+           const PieceWords& words = m.words[m.runs[r].panel];
+           const bool unnamed = words.kind == kOther && words.face != 0;
+           return (words.kind == kTorso || unnamed) && !words.layer && m.runs[r].up < -kPairWeights.facing;
+         });
+}
+
+/// The least that lengths say where one chain is a waistband or a bodice's waist all around and the other the
+/// upper edge of a skirt about twice as long, as it is where it is gathered, or its pleats are drawn open.
+/// Nothing where that is none.
+std::optional<double> gathered_below(const SeamModel& m, const Chain& a, const Chain& b) {
+  const Chain &waist = a.length < b.length ? a : b, &skirt = a.length < b.length ? b : a;
   const auto is_upper = [&](Index r) { return m.runs[r].up > kPairWeights.facing; };
-  const bool fits = band.whole && skirt.whole && is_of(m, band, PieceKind::kBand) &&
-                    is_of(m, skirt, PieceKind::kSkirt) &&
+  const bool holds = (waist.whole && is_of(m, waist, PieceKind::kBand)) || is_waist_of_bodice(m, waist);
+  const bool fits = holds && skirt.whole && is_of(m, skirt, PieceKind::kSkirt) &&
                     std::all_of(skirt.runs.begin(), skirt.runs.end(), is_upper) &&
-                    skirt.length < kSeriesWeights.ratio_pleats * band.length;
-  return fits ? std::optional(kSeriesWeights.pleats_on_band) : std::nullopt;
+                    skirt.length < kSeriesWeights.ratio_gathered * waist.length;
+  return fits ? std::optional(kSeriesWeights.gathered_below) : std::nullopt;
 }
 
 /// Whether all runs of the chain are of the bodice or of its yoke.
@@ -193,13 +203,13 @@ std::optional<double> beyond_collar(const SeamModel& m, const Chain& collar, con
 bool lengths_fit(const SeamModel& m, const Chain& a, const Chain& b) {
   const double ratio = std::max(a.length, b.length) / std::min(a.length, b.length);
   return ratio <= (a.whole && b.whole ? kSeriesWeights.ratio_whole : kSeriesWeights.ratio) ||
-         pleats_on_band(m, a, b) || band_on_neck(m, a, b);
+         gathered_below(m, a, b) || band_on_neck(m, a, b);
 }
 
 double series_merit(const SeamModel& m, const Chain& a, const Chain& b) {
   double merit = length_merit(a.length, b.length);
   merit = std::max(merit, band_on_neck(m, a, b).value_or(merit));
-  merit = std::max(merit, pleats_on_band(m, a, b).value_or(merit));
+  merit = std::max(merit, gathered_below(m, a, b).value_or(merit));
   if (is_tier_on_tier(m, a, b)) merit = std::max(merit, kSeriesWeights.tier_on_tier);
   if (a.whole && b.whole && gores_in_order(m, a, b)) merit += kSeriesWeights.gores_in_order;
   merit += std::min(kSeriesWeights.corners_most,

@@ -280,8 +280,8 @@ struct SeriesWeights {
   double further_mm = 4;           ///< … where they agree so then
   double ratio = 1.12;             ///< of the lengths, at most …
   double ratio_whole = 1.7;        ///< … and of whole borders: gathers
-  double ratio_pleats = 3;         ///< … of a skirt whose pleats are drawn open, on its waistband …
-  double pleats_on_band = 2;       ///< … the least that lengths say of these
+  double ratio_gathered = 3;       ///< … of a skirt on its waistband or a bodice, gathered or in pleats …
+  double gathered_below = 2;       ///< … the least that lengths say of these
   double worthwhile = 1.5;         ///< that the garment must gain by it
 };
 

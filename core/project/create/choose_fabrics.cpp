@@ -1,9 +1,11 @@
 #include "core/project/create/choose_fabrics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string_view>
 
+#include "core/pattern/curve.h"
 #include "core/pattern/seams/garment_words.h"
 #include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_words.h"
@@ -145,6 +147,29 @@ bool are_of_a_knit(const std::vector<std::string>& pieces) {
   return band && !collar;
 }
 
+/// How long the narrower of the piece's ends along its grain is, mm.
+double narrower_end(const pattern::Panel& panel) {
+  constexpr double kFaces = 0.9;
+  const Vec2 grain = normalized(panel.grain);
+  double ends[2] = {0, 0};
+  for (const pattern::PanelEdge& edge : panel.outline.edges) {
+    const Vec2 across = edge.curves.back().p3 - edge.curves.front().p0;
+    const double faces = dot(normalized(perpendicular(across)), grain);
+    if (std::abs(faces) > kFaces) ends[faces > 0] += pattern::arc_length(edge);
+  }
+  return std::min(ends[0], ends[1]);
+}
+
+/// Whether legs end so narrow that no foot goes through: heels measure about 300 mm around, ankles 200 to
+/// 250. Such are of a cloth that stretches.
+bool are_leggings(const pattern::Pattern& pattern, const std::vector<seams::PieceWords>& words) {
+  constexpr double kHeel = 270;  // mm
+  double ends = 0;
+  for (std::size_t p = 0; p < words.size() && p < pattern.panels.size(); ++p)
+    if (words[p].kind == seams::PieceKind::kLegs && !words[p].layer) ends += narrower_end(pattern.panels[p]);
+  return ends > 0 && ends < 2 * kHeel;
+}
+
 }  // namespace
 
 std::string garment_fabric(const std::string& name, const std::vector<std::string>& pieces, bool legs) {
@@ -195,7 +220,8 @@ void choose_fabrics(const pattern::Pattern& pattern, const std::vector<std::stri
   const auto most = std::max_element(told.begin(), told.end(),
                                      [](const auto& x, const auto& y) { return x.second < y.second; });
   const bool says = most != told.end() && !most->first.empty();
-  project.fabric = says ? most->first : garment_fabric(project.name, pieces, legs);
+  const bool tight = legs && are_leggings(pattern, words);
+  project.fabric = says ? most->first : tight ? "ponte" : garment_fabric(project.name, pieces, legs);
   for (project::ProjectPiece& piece : project.pieces)
     if (piece.fabric == project.fabric) piece.fabric.clear();
 }

@@ -65,6 +65,7 @@ TEST(GarmentKind, NamesGoBeforeBorders) {
   EXPECT_EQ(arrange::cover_of_name("Hoodie Front"), Cover::kTorso);
   EXPECT_EQ(arrange::cover_of_name("Hood Side"), Cover::kHood);
   EXPECT_EQ(arrange::cover_of_name("HEM BAND"), Cover::kWaistband);
+  EXPECT_EQ(arrange::cover_of_name("RIB SLEEVE"), Cover::kCuff) << "closes about the wrist";
   EXPECT_EQ(arrange::cover_of_name("Neck rib"), Cover::kCollar);
 }
 

@@ -45,6 +45,16 @@ TEST(WornPart, LeavesOutAPocketThatNobodySewsOn) {
     EXPECT_EQ(worn.pattern.seams[s].a.front().panel, shirt.seams[s].a.front().panel);
 }
 
+TEST(WornPart, LeavesOutAPocketThatIsSewnToItself) {
+  drape::DrapeInput input = test::heap_of(test::shirt());
+  add_piece(input, "patch");
+  const auto patch = static_cast<Index>(input.pattern.panels.size()) - 1;
+  input.pattern.seams.push_back({"its_sides", {{patch, 1}}, {{patch, 3}}});
+  const drape::DrapeInput worn = drape::worn_part(input);
+  ASSERT_EQ(worn.left_out.size(), 1U);
+  EXPECT_EQ(worn.left_out[0].id, "patch");
+}
+
 TEST(WornPart, KeepsWhatIsHeldOtherwise) {
   drape::DrapeInput input = test::heap_of(test::shirt());
   add_piece(input, "scarf");

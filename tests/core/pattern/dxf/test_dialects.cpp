@@ -212,7 +212,7 @@ TEST(DxfFold, ASewLineMayBeOpenAtTheFold) {
   EXPECT_TRUE(told(d, "gives way to the sew line"));
 }
 
-TEST(DxfFold, CutOnFoldWithoutAMirrorLineIsWarnedOf) {
+TEST(DxfFold, CutOnFoldWithoutAMirrorLineIsToldOf) {
   const dxf::DxfDrawing d =
       read_trial(blocks_and_inserts({{"FRONT", kHalf + text({50, 50}, "ANNOTATION: Cut 1 on fold", "1")}}));
   EXPECT_TRUE(told(d, "no mirror line says where"));

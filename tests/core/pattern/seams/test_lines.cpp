@@ -36,6 +36,22 @@ TEST(SeamLines, LeaveAWideNotchForThePieceThatIsLetIn) {
   EXPECT_TRUE(seams::lines_of({{darted("front", 160)}, {}}).darts.empty());
 }
 
+/// A whole front with a V neck, so wide; or with the V off its middle.
+pattern::Panel with_v_neck(double width, double off = 0) {
+  return garments::piece("front", {{-200, 0},
+                                   {200, 0},
+                                   {200, 400},
+                                   {width / 2 + off, 440},
+                                   {off, 250},
+                                   {-width / 2 + off, 440},
+                                   {-200, 400}});
+}
+
+TEST(SeamLines, LeaveTheNeckOfAVOpen) {
+  EXPECT_TRUE(seams::lines_of({{with_v_neck(160)}, {}}).darts.empty());
+  EXPECT_EQ(seams::lines_of({{with_v_neck(60)}, {}}).darts.size(), 1u) << "no head goes through";
+}
+
 /// Programs cut waists straight: across such a wide dart the closed outline bends, the drawn one does not.
 TEST(SeamLines, CloseAWideDartInAStraightWaist) {
   EXPECT_EQ(seams::lines_of({{darted("skirt_front", 64)}, {}}).darts.size(), 1u);

@@ -24,6 +24,29 @@ TEST(PieceLanguage, EnglishNamesStayWhatTheyAre) {
   EXPECT_TRUE(words_of_piece("").empty());
 }
 
+TEST(PieceLanguage, PartsOfCompoundsTellPieceAndFace) {
+  EXPECT_EQ(words_of_piece("ROCKVORDERTEIL"), (Words{"skirt", "front"}));
+  EXPECT_EQ(words_of_piece("Rokachterpand"), (Words{"skirt", "back"}));
+  EXPECT_EQ(words_of_piece("Bakficka"), (Words{"back", "pocket"}));
+  EXPECT_EQ(words_of_piece("Rockbund"), (Words{"waistband"}));
+  EXPECT_EQ(words_of_piece("Futtersatin"), (Words{"satin"})) << "a cloth, and no lining";
+}
+
+/// What the pieces of a garment say, of which three have these names.
+seams::PieceWords last_of(const char* first, const char* second, const char* last) {
+  pattern::Pattern pattern;
+  for (const char* name : {first, second, last})
+    pattern.panels.push_back(garments::piece(name, {{0, 0}, {100, 0}, {100, 200}, {0, 200}}));
+  return seams::words_of_garment(pattern).back();
+}
+
+TEST(PieceLanguage, RtIsABackBesideVtWhateverTheStyleIs) {
+  EXPECT_EQ(last_of("4711-VT", "4711-\u00c4RMEL", "4711-RT").face, -1);
+  EXPECT_EQ(last_of("VT", "AERMEL", "RT").face, -1);
+  EXPECT_EQ(last_of("front", "AERMEL", "RT").side, 1);
+  EXPECT_TRUE(last_of("VT", "RT", "NACKENBAND").layer) << "a tape";
+}
+
 TEST(PieceLanguage, AccentsAndTheirTranscriptionsAreOne) {
   for (const char* name : {"\u00c4rmel", "Aermel", "AERMEL", "\u00e4rmel_2"})
     EXPECT_EQ(words_of_piece(name), (Words{"sleeve"})) << name;

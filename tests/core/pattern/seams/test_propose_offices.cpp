@@ -394,5 +394,18 @@ TEST(Offices, ABacksSideGoesOnAlongItsYoke) {
   }
 }
 
+TEST(Offices, AStripThatFitsTheNeckOfATopIsItsBandWhateverItIsCalled) {
+  const pattern::Panel front = plain_top("front", 540), back = plain_top("back", 620);
+  const double neck = garments::length_of(front, 4) + garments::length_of(back, 4);
+  for (const bool fits : {true, false}) {
+    const WornSeams worn({front, back, garments::strip("Blende", (fits ? 0.9 : 0.6) * neck, 36)});
+    const bool around = worn.has({"Blende.e0"}, {"front.e4", "back.e4"}) ||
+                        worn.has({"Blende.e0"}, {"back.e4", "front.e4"}) ||
+                        worn.has({"Blende.e2"}, {"front.e4", "back.e4"}) ||
+                        worn.has({"Blende.e2"}, {"back.e4", "front.e4"});
+    EXPECT_EQ(around, fits) << worn.text();
+  }
+}
+
 }  // namespace
 }  // namespace toile

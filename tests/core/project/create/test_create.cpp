@@ -268,6 +268,9 @@ TEST(ProjectNew, NamesTellWhatAGarmentIsMadeOf) {
   EXPECT_EQ(create::piece_fabric("\u00c4rmelfutter"), "lining");
   EXPECT_EQ(create::piece_fabric("collar-interfacing"), "interlining");
   EXPECT_EQ(create::piece_fabric("front"), "");
+  EXPECT_EQ(create::piece_fabric("RIB HEM"), "rib");
+  EXPECT_EQ(create::garment_fabric("trial", {"front", "back", "hood", "hem rib"}), "sweatshirt-fleece");
+  EXPECT_EQ(create::garment_fabric("trial", {"front", "back", "hood"}), "shirting");
 }
 
 TEST(ProjectNew, APieceThatCannotBeCutIsLeftOutAndNamed) {
