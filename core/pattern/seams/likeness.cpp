@@ -173,7 +173,28 @@ bool mirrors_itself(const SeamModel& m, Index panel) {
   });
 }
 
+namespace {
+
+/// Two pieces alike that are all of a skirt and each its own mirror image are its front and its back, which
+/// no name tells apart, and no left and right.
+void tell_front_and_back(SeamModel& m) {
+  std::vector<Index> skirt;
+  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p)
+    if (m.words[p].kind == PieceKind::kSkirt && !m.words[p].layer) skirt.push_back(p);
+  const bool two = skirt.size() == 2 && std::all_of(skirt.begin(), skirt.end(), [&](Index p) {
+                     return m.words[p].face == 0 && m.words[p].side == 0 && !mirror_image(m, p, p).empty();
+                   });
+  if (!two || mirror_image(m, skirt[0], skirt[1]).empty()) return;
+  for (std::size_t k = 0; k < 2; ++k) {
+    m.words[skirt[k]].guess(PieceKind::kSkirt);
+    m.words[skirt[k]].face = k == 0 ? 1 : -1;
+  }
+}
+
+}  // namespace
+
 void find_twins(SeamModel& m) {
+  tell_front_and_back(m);
   const Index count = static_cast<Index>(m.words.size());
   m.twin.assign(m.words.size(), kNone);
   std::vector<bool> taken(static_cast<std::size_t>(count), false);

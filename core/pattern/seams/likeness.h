@@ -20,7 +20,7 @@ bool same_edges(const SeamModel& m, Index p, Index q);
 bool mirrors_itself(const SeamModel& m, Index panel);
 
 /// `twin`, and `mirror_panel` and `mirror_edge` of runs: pieces whose names say left and right go first, then
-/// any two, then those that mirror themselves.
+/// any two, then those that mirror themselves. Tells front and back of a skirt of two pieces alike.
 void find_twins(SeamModel& m);
 
 /// `mirror`: the run that mirrors each, as the edges do.

@@ -87,6 +87,19 @@ bool closes_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
          a.mirror_edge == b.edge;
 }
 
+/// Whether a part of a skirt would be closed to a cone by its sides, although there is another one alike:
+/// they are sewn to each other.
+bool closes_gore(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords& words = m.words[a.panel];
+  if (a.panel != b.panel || words.kind != PieceKind::kSkirt || !equally_long(a.length, b.length))
+    return false;
+  for (Index other = 0; other < static_cast<Index>(m.words.size()); ++other)
+    if (other != a.panel && m.words[other].kind == PieceKind::kSkirt && !m.words[other].layer &&
+        same_edges(m, a.panel, other))
+      return true;
+  return false;
+}
+
 /// Whether yokes of the left and the right leg would meet at the shorter of their ends: they are deeper in
 /// the middle of the back than at the sides.
 bool meets_at_side_of_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
@@ -104,7 +117,8 @@ bool meets_at_side_of_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& 
 
 bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b) || closes_half_band(m, a, b) ||
-      closes_yoke(m, a, b) || meets_at_side_of_yoke(m, a, b) || misses_round_stand(m, a, b))
+      closes_yoke(m, a, b) || closes_gore(m, a, b) || meets_at_side_of_yoke(m, a, b) ||
+      misses_round_stand(m, a, b))
     return true;
   if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))
     return true;

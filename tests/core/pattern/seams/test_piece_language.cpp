@@ -40,6 +40,12 @@ seams::PieceWords last_of(const char* first, const char* second, const char* las
   return seams::words_of_garment(pattern).back();
 }
 
+TEST(PieceLanguage, OnePieceForFrontAndBackHasNoFace) {
+  EXPECT_EQ(seams::words_of("SKIRT FRONT / BACK").face, 0);
+  EXPECT_EQ(seams::words_of("Vorder- und R\u00fcckenteil").face, 0);
+  EXPECT_EQ(seams::words_of("front panel").face, 1);
+}
+
 TEST(PieceLanguage, RtIsABackBesideVtWhateverTheStyleIs) {
   EXPECT_EQ(last_of("4711-VT", "4711-\u00c4RMEL", "4711-RT").face, -1);
   EXPECT_EQ(last_of("VT", "AERMEL", "RT").face, -1);

@@ -407,5 +407,34 @@ TEST(Offices, AStripThatFitsTheNeckOfATopIsItsBandWhateverItIsCalled) {
   }
 }
 
+TEST(Offices, ASkirtCutTwiceOfOnePieceHasAFrontAndABack) {
+  const pattern::Panel half = piece("Skirt", {{-350, 0}, {350, 0}, {180, 600}, {-180, 600}});
+  const auto faces_with = [&](const std::vector<pattern::Panel>& others) {
+    pattern::Pattern pattern{{half, half}, {}};
+    pattern.panels[1].id = "Skirt_2";
+    pattern.panels.insert(pattern.panels.end(), others.begin(), others.end());
+    const seams::SeamModel model = seams::make_seam_model(pattern);
+    return model.words[0].face * model.words[1].face;
+  };
+  EXPECT_EQ(faces_with({}), -1);
+  EXPECT_EQ(faces_with({mirrored(half, "Skirt_3")}), 0) << "three are gores";
+  const WornSeams worn({half, mirrored(half, "Skirt_2"), garments::strip("Waistband", 720, 35)});
+  EXPECT_FALSE(worn.has({"Skirt.e1"}, {"Skirt.e3"})) << "no cone of its own";
+  EXPECT_TRUE(worn.has({"Skirt.e1"}, {"Skirt_2.e3"}) || worn.has({"Skirt.e1"}, {"Skirt_2.e1"}))
+      << worn.text();
+}
+
+TEST(Offices, SkirtsAreGatheredOntoABodicesWaist) {
+  const auto half = [](const std::string& name, double width) {
+    return piece(name, {{0, 0}, {width, 0}, {width, 600}, {0, 600}});
+  };
+  for (const double times : {1.8, 2.5}) {
+    const WornSeams worn({plain_top("bodice front", 540), plain_top("bodice back", 620),
+                          half("skirt front", times * 500), half("skirt back", times * 500)});
+    EXPECT_TRUE(worn.has({"bodice front.e0"}, {"skirt front.e2"})) << times << worn.text();
+    EXPECT_TRUE(worn.has({"bodice back.e0"}, {"skirt back.e2"})) << times << worn.text();
+  }
+}
+
 }  // namespace
 }  // namespace toile
