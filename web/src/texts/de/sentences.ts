@@ -95,7 +95,8 @@ export const sentences: Sentences = {
   'the mirror line runs through the piece, and not through its middle: the piece is taken as it is drawn, not unfolded': 'Die Bruchlinie läuft durch das Schnittteil, aber nicht durch seine Mitte: Es wird genommen, wie es gezeichnet ist, und nicht aufgeklappt',
   'the mirror line does not run along the outline: the piece is not unfolded': 'Die Bruchlinie läuft nicht am Umriss entlang: Das Schnittteil wird nicht aufgeklappt',
   'a mirror line lies outside of any piece': 'Eine Bruchlinie liegt außerhalb aller Schnittteile',
-  'the piece is to be cut on the fold, but no mirror line says where it lies': 'Das Schnittteil soll im Bruch zugeschnitten werden, aber keine Bruchlinie sagt, wo der liegt',
+  'the piece is to be cut on the fold, but no mirror line says where it lies: it is unfolded about its likeliest edge': 'Das Schnittteil soll im Bruch zugeschnitten werden, aber keine Bruchlinie sagt, wo der liegt: Es wird an der wahrscheinlichsten Kante aufgeklappt',
+  'the piece is to be cut on the fold, but nothing says where it lies: it is taken as it is drawn': 'Das Schnittteil soll im Bruch zugeschnitten werden, aber nichts sagt, wo der liegt: Es wird genommen, wie es gezeichnet ist',
   'left out: {}': 'Weggelassen: {1}',
   'the piece is left out: {}': 'Das Schnittteil wird weggelassen: {1}',
 
