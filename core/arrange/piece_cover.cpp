@@ -124,10 +124,7 @@ Cover cover_of_kind(seams::PieceKind kind) {
 int face_of_name(const std::string& name) {
   if (const int told = seams::words_of(name).face; told != 0) return told;
   const std::vector<std::string> words = seams::words_of_piece(name);
-  const auto has = [&](const char* word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-  };
-  if (has("front") && has("back")) return 0;  // "SKIRT FRONT / BACK": one for each
+  if (seams::tell_both_faces(words)) return 0;
   for (const std::string& w : words) {
     if (w.find("front") != std::string::npos) return 1;
     if (w.find("back") != std::string::npos) return -1;

@@ -12,9 +12,10 @@ namespace toile::drape {
 
 /// The input without seams that cannot be sewn (core/drape/left_open.h) and without what would fall off a
 /// person: pieces that no seam, attachment, button or cushion joins to the rest, and that cannot be worn by
-/// themselves: they do not close around anything (one border), or are sleeves, collars, cuffs or frills by
-/// their names. A pocket bag, a lining or a trim whose seams are not told would otherwise keep the whole from
-/// being draped. `left_out` names them; what is told of them alone goes with them.
+/// themselves: they do not close around anything (one border), are trifles beside the rest (a pocket sewn to
+/// itself), or are sleeves, collars, cuffs or frills by their names. A pocket bag, a lining or a trim whose
+/// seams are not told would otherwise keep the whole from being draped. `left_out` names them; what is told
+/// of them alone goes with them.
 ///
 /// All pieces where it is not for a person, where pieces are sewn from where they stand
 /// (`settings.dress`), where layers are told, or where nothing is sewn.

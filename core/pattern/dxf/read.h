@@ -80,7 +80,8 @@ struct DxfDrawing {
 /// at the widths of seam allowances is its sew line (allowance.h), whatever its layer; another one within it
 /// is a hole or, on a layer for such, a line. Where lines stand on AAMA layers, 14 (sew) is asked before
 /// others and 1 is the cut line; the others have the meaning of their numbers (layers.h), all unless
-/// settings.layers says otherwise; a half with a mirror line (6) along its outline is unfolded. Of a graded
+/// settings.layers says otherwise; a half with a mirror line (6) along its outline is unfolded, and so
+/// is one that a text says to be cut on the fold, about its likeliest edge, with a warning. Of a graded
 /// file (a BLOCK for each piece and size) one size is taken. Names: "Piece Name: …", else a text in the piece
 /// or up to 20 mm beside it, else the block's name, else piece1, piece2, …
 ///

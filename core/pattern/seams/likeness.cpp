@@ -173,10 +173,6 @@ bool mirrors_itself(const SeamModel& m, Index panel) {
   });
 }
 
-namespace {
-
-/// Two pieces alike that are all of a skirt and each its own mirror image are its front and its back, which
-/// no name tells apart, and no left and right.
 void tell_front_and_back(SeamModel& m) {
   std::vector<Index> skirt;
   for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p)
@@ -191,10 +187,7 @@ void tell_front_and_back(SeamModel& m) {
   }
 }
 
-}  // namespace
-
 void find_twins(SeamModel& m) {
-  tell_front_and_back(m);
   const Index count = static_cast<Index>(m.words.size());
   m.twin.assign(m.words.size(), kNone);
   std::vector<bool> taken(static_cast<std::size_t>(count), false);

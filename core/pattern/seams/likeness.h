@@ -19,8 +19,12 @@ bool same_edges(const SeamModel& m, Index p, Index q);
 /// a button stand. REQUIRES the model's runs and `up`.
 bool mirrors_itself(const SeamModel& m, Index panel);
 
+/// Two pieces alike that are all of a skirt and each its own mirror image are its front and its back, which
+/// no name tells apart, and no left and right. It comes before twins are found.
+void tell_front_and_back(SeamModel& m);
+
 /// `twin`, and `mirror_panel` and `mirror_edge` of runs: pieces whose names say left and right go first, then
-/// any two, then those that mirror themselves. Tells front and back of a skirt of two pieces alike.
+/// any two, then those that mirror themselves.
 void find_twins(SeamModel& m);
 
 /// `mirror`: the run that mirrors each, as the edges do.

@@ -32,6 +32,13 @@ bool hangs_free(PieceKind kind) {
 /// Whether the piece's upper end may be a waist.
 bool has_waist(PieceKind kind) { return kind == PieceKind::kSkirt || kind == PieceKind::kLegs; }
 
+/// Whether the piece is of the trunk, as far as its name tells: a bodice, or a front or back of what no name
+/// says.
+bool is_of_trunk(const pattern::Panel& panel) {
+  const PieceWords words = words_of(panel.id);
+  return words.kind == PieceKind::kTorso || (words.kind == PieceKind::kOther && words.face != 0);
+}
+
 /// How much the mouth between the edges `first` and the next faces up along the grain, -1 to 1.
 double mouth_up(const pattern::Panel& panel, std::size_t first) {
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
@@ -64,10 +71,8 @@ bool is_drawn_dart(const pattern::Panel& panel, std::size_t first, double mouth)
   const bool exact = std::abs(a - b) < kDartWeights.drawn * std::max(a, b);
   if (!exact || tip < kDartWeights.least_deg || tip > 180 || width > kDartWeights.drawn_most_deg)
     return false;
-  const PieceWords words = words_of(panel.id);
-  const bool trunk = words.kind == PieceKind::kTorso || (words.kind == PieceKind::kOther && words.face != 0);
   return std::abs(mouth - 180) < kDartWeights.mouth_deg ||
-         (trunk && mouth_up(panel, first) < kDartWeights.top);
+         (is_of_trunk(panel) && mouth_up(panel, first) < kDartWeights.top);
 }
 
 /// Degrees that the outline has across the mouth of the dart with that first leg, once it is closed.
@@ -79,7 +84,7 @@ double mouth_of(const pattern::Panel& panel, std::size_t first) {
 }
 
 /// Whether the outline is its own mirror image about the corner after the edge `first`, by its edges'
-/// lengths.
+/// lengths: a front that is drawn whole may miss the half millimetre of pattern::is_own_mirror().
 bool is_mirrored_about(const pattern::Panel& panel, std::size_t first) {
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
   const std::size_t n = edges.size();
@@ -93,10 +98,8 @@ bool is_mirrored_about(const pattern::Panel& panel, std::size_t first) {
 
 /// Whether the edges `first` and the next are the V of a neck: in the middle of a whole front or back, and so
 /// wide that a head may go through.
-bool is_neck(const pattern::Panel& panel, std::size_t first) {
-  const PieceWords words = words_of(panel.id);
-  const bool trunk = words.kind == PieceKind::kTorso || (words.kind == PieceKind::kOther && words.face != 0);
-  if (!trunk || mouth_up(panel, first) < kDartWeights.faces_up) return false;
+bool is_v_neck(const pattern::Panel& panel, std::size_t first) {
+  if (!is_of_trunk(panel) || mouth_up(panel, first) < kDartWeights.faces_up) return false;
   const std::vector<pattern::PanelEdge>& edges = panel.outline.edges;
   const Vec2 across = edges[(first + 1) % edges.size()].curves.back().p3 - edges[first].curves.front().p0;
   return length(across) > kDartWeights.neck && is_mirrored_about(panel, first);
@@ -109,7 +112,7 @@ bool is_closed(const pattern::Panel& panel, std::size_t first) {
   const pattern::PanelEdge& in = edges[first];
   const pattern::PanelEdge& out = edges[(first + 1) % n];
   const double a = pattern::arc_length(in), b = pattern::arc_length(out);
-  if (std::abs(a - b) > kDartWeights.legs * std::max(a, b) || is_neck(panel, first)) return false;
+  if (std::abs(a - b) > kDartWeights.legs * std::max(a, b) || is_v_neck(panel, first)) return false;
   const double tip = 360 - corner_angle(in, out);
   const bool waist = mouth_up(panel, first) > kDartWeights.top && has_waist(words_of(panel.id).kind);
   const double mouth = mouth_of(panel, first);

@@ -290,9 +290,11 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   find_line_turns(model);
   model.nameless = names_nothing(model);
   if (model.nameless) name_shapes(model);
+  tell_front_and_back(model);
   find_twins(model);
   if (model.nameless) {
     name_by_fit(model);
+    tell_front_and_back(model);
     find_twins(model);  // strips stand another way than they were drawn, and mirror themselves so
   } else {
     name_lone_sleeves(model);

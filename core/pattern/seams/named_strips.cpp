@@ -59,8 +59,8 @@ void name_tiers(SeamModel& m) {
   }
 }
 
-/// Of several waistbands of trousers, none of which another one repeats, those that fit the waist less well
-/// lie in it: an elastic.
+/// Of several waistbands of trousers those that fit the waist less well than another lie in that one, as an
+/// elastic does; halves of one fit alike.
 void tell_elastics(SeamModel& m, double waist) {
   constexpr double kMuch = 0.05;  // of the waist, that one fits it less well by
   std::vector<std::pair<double, Index>> bands;

@@ -133,4 +133,11 @@ std::vector<std::string> words_of_piece(std::string_view name) {
   return words_of_name(english);
 }
 
+bool tell_both_faces(const std::vector<std::string>& words) {
+  const auto has = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  return has("front") && has("back");
+}
+
 }  // namespace toile::seams

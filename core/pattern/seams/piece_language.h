@@ -13,4 +13,7 @@ namespace toile::seams {
 /// Articles are left out; words that are not known stay.
 std::vector<std::string> words_of_piece(std::string_view name);
 
+/// Whether such words tell of a piece that is cut once for each face of the body: "SKIRT FRONT / BACK".
+bool tell_both_faces(const std::vector<std::string>& words);
+
 }  // namespace toile::seams

@@ -204,7 +204,6 @@ PieceWords words_of(const std::string& name) {
   if (words.hem_band && words.kind == PieceKind::kBand)
     words.hem_band = false;  // "waistband" is what it says
   words.leg = words.kind == PieceKind::kLegs;
-  bool front = false, back = false;
   for (const std::string& w : all) {
     const auto is = [&](std::initializer_list<const char*> any) {
       return std::any_of(any.begin(), any.end(), [&](const char* x) { return w == x; });
@@ -216,8 +215,6 @@ PieceWords words_of(const std::string& name) {
     if (is({"l", "lf", "lt", "lft", "lh"}) || starts("left", 'l')) words.side = -1;
     if (is({"r", "rt", "rgt", "rh"}) || starts("right", 'r')) words.side = 1;
     if (is({"f", "fr", "frt", "fnt", "ft", "cf"}) || starts("front", 'f')) words.face = 1;
-    front = front || w == "front";
-    back = back || w == "back";
     if (is({"bib", "apron"}) && words.face == 0) words.face = 1;  // but for a "back bib"
     if (w == "bib") words.bib = true;
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
@@ -229,7 +226,7 @@ PieceWords words_of(const std::string& name) {
     if (lies_on_cloth(w)) words.layer = true;
     if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
   }
-  if (front && back) words.face = 0;  // "SKIRT FRONT / BACK": cut once for each
+  if (tell_both_faces(all)) words.face = 0;
   // A "front band" goes up along the front and around the neck.
   if (words.kind == PieceKind::kOther && std::find(all.begin(), all.end(), "band") != all.end())
     words.face = 0;

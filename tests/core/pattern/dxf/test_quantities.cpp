@@ -10,7 +10,7 @@
 
 #include "core/pattern/dxf/read.h"
 #include "core/pattern/dxf/told_quantity.h"
-#include "tests/core/pattern/dxf/dxf_text.h"
+#include "tests/core/pattern/dxf/dxf_trial.h"
 
 namespace toile {
 namespace {
@@ -36,6 +36,14 @@ TEST(DxfQuantities, SizesAndLengthsAreNone) {
   for (const char* text :
        {"FRONT 38", "5 x 5", "pocket 12 x 14", "Style 4471-03", "Sleeve", "x", "", "40x pcs"})
     EXPECT_FALSE(told_quantity(text)) << text;
+}
+
+TEST(DxfQuantities, AWordyTitleOfTheDrawingNamesNoPiece) {
+  const std::string title = text({20, 300}, "Shirt Lina - Gr. 38 - ohne Nahtzugabe - Masse in mm", "1");
+  const dxf::DxfDrawing d =
+      read_trial(entities(rectangle({0, 0}, 300, 500, "1") + title + text({20, 200}, "Vorderteil", "1")));
+  ASSERT_EQ(d.pieces.size(), 1u);
+  EXPECT_EQ(d.pieces[0].name, "Vorderteil");
 }
 
 TEST(DxfQuantities, WhatTellsNothingElseIsNoName) {

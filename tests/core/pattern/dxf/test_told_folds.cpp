@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,21 @@ TEST(DxfToldFolds, AHalfIsUnfoldedWhateverTellsItAndCountsOnce) {
     EXPECT_EQ(piece.mirrored, 0) << "it is its own mirror image";
   }
   EXPECT_FALSE(only_piece(kFront + text({60, 200}, "BRUCH", "1")).unfolded) << "a label of some fold";
+}
+
+TEST(DxfToldFolds, WhatHasNoStraightEdgeStaysAsItIsDrawn) {
+  dxf::DxfPiece all_round = half({});
+  for (int k = 0; k < 60; ++k) {
+    const double a = k * std::numbers::pi / 30;
+    all_round.outline.push_back({100 * std::cos(a) + 10 * std::cos(3 * a), 100 * std::sin(a)});
+  }
+  EXPECT_FALSE(dxf::likely_fold(all_round)) << "no edge is as long as a fold";
+  const dxf::DxfDrawing whole = read_trial(blocks_and_inserts(
+      {{"PIECE", polyline({{-200, 0}, {200, 0}, {180, 500}, {60, 560}, {-60, 560}, {-180, 500}}, "1") +
+                     text({10, 70}, "CUT 1 ON FOLD", "1")}}));
+  ASSERT_EQ(whole.pieces.size(), 1U);
+  EXPECT_FALSE(whole.pieces[0].unfolded);
+  EXPECT_TRUE(told(whole, "nothing says where"));
 }
 
 TEST(DxfToldFolds, AnEdgeWithTheLabelIsTheFold) {

@@ -93,6 +93,10 @@ TEST(NamedByShape, TrousersAreToldByTheirCrotchesAndTheirWaistband) {
     EXPECT_EQ(m.words[p].face, named.words[p].face) << p;
   }
   EXPECT_EQ(m.words.back().kind, PieceKind::kBand);
+  panels.push_back(strip("10", waist * 0.87, 35));
+  const seams::SeamModel elastic = seams::make_seam_model({panels, {}});
+  EXPECT_TRUE(elastic.words.back().layer) << "lies in the band that fits better";
+  EXPECT_FALSE(elastic.words[panels.size() - 2].layer);
 }
 
 /// Sleeves are cut on, the side is parted by a blunt corner; edges: hem, side, lower arm, wrist, upper arm,

@@ -12,6 +12,7 @@
 #include "core/project/create/create.h"
 #include "core/project/resolve/resolve.h"
 #include "tests/core/pattern/garments.h"
+#include "tests/core/pattern/seams/worn_seams.h"
 #include "tests/core/project/create/slashed_trousers.h"
 
 namespace toile {
@@ -271,6 +272,21 @@ TEST(ProjectNew, NamesTellWhatAGarmentIsMadeOf) {
   EXPECT_EQ(create::piece_fabric("RIB HEM"), "rib");
   EXPECT_EQ(create::garment_fabric("trial", {"front", "back", "hood", "hem rib"}), "sweatshirt-fleece");
   EXPECT_EQ(create::garment_fabric("trial", {"front", "back", "hood"}), "shirting");
+}
+
+TEST(ProjectNew, LegsThatEndNarrowerThanAHeelAreOfAClothThatStretches) {
+  for (const bool narrow : {true, false}) {
+    pattern::Pattern trousers{garments::trousers().panels, {}};
+    project::Project project;
+    for (std::size_t p = 0; p < trousers.panels.size(); ++p) {
+      pattern::Panel& panel = trousers.panels[p];
+      if (narrow) panel = garments::scaled(panel, 0.5);
+      panel.id = std::to_string(p + 1);
+      project.pieces.emplace_back().id = panel.id;
+    }
+    create::choose_fabrics(trousers, {}, project);
+    EXPECT_EQ(project.fabric, narrow ? "ponte" : "twill");
+  }
 }
 
 TEST(ProjectNew, APieceThatCannotBeCutIsLeftOutAndNamed) {
