@@ -78,8 +78,17 @@ std::vector<Token> tokens_of(std::string_view text) {
 /// Whether the word is what a quantity is called: "QTY 2".
 bool is_quantity(const std::string& word) { return english_key(word) == "quantity"; }
 
+/// Whether what follows the first figure says how it is made up: "2 (1x left, 1x right)".
+bool is_sum_of_rest(const std::vector<Token>& tokens) {
+  if (tokens.size() < 2 || !tokens[0].is_figure() || !tokens[1].is_figure()) return false;
+  int rest = 0;
+  for (std::size_t i = 1; i < tokens.size(); ++i) rest += std::max(0, tokens[i].figure);
+  return tokens[0].figure == rest;
+}
+
 /// The figure that the tokens tell a quantity by; 0 where there is none.
 int counted_by(const std::vector<Token>& tokens) {
+  if (is_sum_of_rest(tokens)) return tokens[0].figure;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (!tokens[i].is_figure()) continue;
     const std::string before = i > 0 ? tokens[i - 1].text : "",

@@ -9,7 +9,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/piece_words.h"
-#include "core/pattern/seams/second_layers.h"
+#include "core/pattern/seams/strangers.h"
 #include "core/pattern/seams/taken_edges.h"
 
 namespace toile::seams {
@@ -91,7 +91,7 @@ std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const 
   std::vector<bool> sewn = sewn_together(proposals, std::min(least_confidence, kFits));
   const std::vector<char> loose =
       loose_panels(pattern, proposals, sewn_together(proposals, least_confidence));
-  const std::vector<char> layers = lying_on_others(pattern);
+  const std::vector<char> last = sewn_last(pattern);
   const std::vector<double> sure = whichever_way(proposals);
   TakenEdges taken;
   for (std::size_t i = 0; i < proposals.size(); ++i)
@@ -108,7 +108,7 @@ std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const 
           return is_tied(words_of(pattern.panels[e.panel].id));
         }))
       continue;  // a garment is worn without a belt, and with it sewn on anywhere it is not
-    if (sewn[i] || sure[i] < kLikely || taken.clashes(p.seam) || any(layers)) continue;
+    if (sewn[i] || sure[i] < kLikely || taken.clashes(p.seam) || any(last)) continue;
     if (!wanted && !taken.goes_on(p.seam) && !closes_leg(pattern, edges)) continue;
     sewn[i] = true;
     taken.take(p.seam);

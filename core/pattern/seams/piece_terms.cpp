@@ -324,6 +324,46 @@ constexpr std::string_view kCroatianSerbianSlovene =
     "jakna=jacket;kaput=coat;prsluk=vest;render=rib;porub=hem;bok=side;letvica=placket;rasporak=fly;"
     "vratni izrez=neck;rub=hem;";
 
+// Zips and what guards them, loops, welts and tabs: small parts that many names have and few glossaries.
+constexpr std::string_view kTrims =
+    "zipguard=guard;zipshield=guard;beltloop=loop;beltloops=loop;carrier=loop;carriers=loop;keeper=loop;"
+    "welts=welt;jet=welt;jets=welt;jetting=welt;tabs=tab;epaulette=tab;epaulet=tab;hanger=loop;flaps=flap;"
+    // German, Dutch
+    "reissverschluss=fly;rv beleg=facing;rv untertritt=fly;kinnschutz=facing;windschutz=guard;riegel=tab;"
+    "schulterklappe=tab;aufhanger=loop;schlaufen=loop;gurtelschlaufen=loop;eingriff=facing;paspeln=welt;"
+    "rits=fly;ritsbeleg=facing;lusje=loop;lusjes=loop;lussen=loop;riemlussen=loop;paspel=piping;"
+    "knoopbies=placket;"
+    // French
+    "fermeture=fly;glissiere=fly;passants=loop;parement manche=cuff;patte epaule=tab;patte polo=placket;"
+    "patte=flap;passepoils=welt;coulisse=facing;plaque=facing;"
+    // Spanish, Portuguese
+    "cremallera=fly;cierre=fly;guardacierre=guard;tapacierre=guard;botonera=placket;vivo=welt;vivos=welt;"
+    "jareta=facing;charretera=tab;trabillas=loop;presillas=loop;carteras=flap;tapas=flap;ziper=fly;"
+    "fecho=fly;passadores=loop;passantes=loop;passadeiras=loop;revel=facing;abas=flap;vista fecho=fly;"
+    // Italian
+    "cerniera=fly;lampo=fly;coprizip=guard;sottozip=guard;paracerniera=guard;filetti=welt;patelletta=flap;"
+    "mostre=facing;mostrina=facing;fintino=placket;pattine=flap;alamaro=tab;"
+    // Polish, Czech
+    "zamek=fly;zamka=fly;oslona=guard;plisa zamka=placket;patki=flap;kieszeniowy=pocket;wypustka=piping;"
+    "guma=elastic;gumka=elastic;sznurek=cord;tasma=tape;pagon=tab;krytka=guard;poutka=loop;"
+    "vypustka=piping;kapsovina=pocket;legy=placket;patky=flap;zdrhovadlo=fly;"
+    // Turkish
+    "koprusu=loop;kopruler=loop;fermuar=fly;fermuar pati=fly;fermuar alti=fly;fitil=welt;fleto=welt;"
+    "karsilik=facing;karsiligi=facing;torba=pocket;torbasi=pocket;tela=interlining;telasi=interlining;"
+    "klapa=lapel;kapagi=flap;apolet=tab;brit=loop;dugme pati=placket;ilik pati=placket;pati=placket;"
+    // Swedish, Danish, Norwegian
+    "dragkedja=fly;blixtlas=fly;lynlas=fly;glidelas=fly;hallor=loop;skarphallor=loop;haelder=loop;"
+    "baeltestrop=loop;beltestropp=loop;beltehemper=loop;hempe=loop;hemper=loop;passpoal=welt;paspol=welt;"
+    "knaphulskant=placket;knappekant=placket;knappestolpe=placket;klaff=flap;lommeklaff=flap;beleg=facing;"
+    "gylp=fly;glidlasskydd=guard;"
+    // Russian
+    "molniya=fly;shlevki=loop;listochki=welt;pata=tab;vetrozashchita=guard;"
+    // Finnish, Hungarian, Romanian
+    "vetoketju=fly;lenkki=loop;vyolenkki=loop;tere=piping;cipzar=fly;ovbujtato=loop;paszpol=piping;"
+    "fermoar=fly;gaica=loop;gaici=loop;paspoal=piping;"
+    // Croatian, Serbian, Slovene
+    "zatvarac=fly;patentni zatvarac=fly;petlja=loop;petlje=loop;lajsna=placket;";
+
 /// Signs of Chinese and Japanese that tell a word wherever they stand, longer ones first.
 constexpr PieceTerm kSigns[] = {
     {"前身頃", "front"},      {"後身頃", "back"},       {"後ろ身頃", "back"},     {"前中", "front"},
@@ -415,7 +455,7 @@ std::vector<PieceTerm> terms_in_order() {
   std::vector<PieceTerm> terms;
   for (std::string_view table : {kShortened, kGerman, kFrench, kSpanishPortuguese, kItalian, kDutch, kPolish,
                                  kTurkish, kSwedishDanishNorwegian, kCzechSlovak, kRussianUkrainian,
-                                 kFinnishHungarianRomanian, kCroatianSerbianSlovene}) {
+                                 kFinnishHungarianRomanian, kCroatianSerbianSlovene, kTrims}) {
     while (!table.empty()) {
       const std::size_t end = table.find(';'), equals = table.find('=');
       terms.push_back({table.substr(0, equals), table.substr(equals + 1, end - equals - 1)});

@@ -92,6 +92,14 @@ bool lies_on_cloth(const std::string& word) {
          std::any_of(std::begin(kEnds), std::end(kEnds), [&](const char* w) { return word.ends_with(w); });
 }
 
+/// Whether a stand is all that is told of, so that it is the neck's and not of buttons.
+bool stands_alone(const std::vector<std::string>& words) {
+  const auto has = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  return has("stand") && !has("button") && !has("front");
+}
+
 /// Whether the words tell of a band along that edge: "hem band", "neck rib", "hemband", or, where what is
 /// told more of comes first, "band hem".
 bool tells_band(const std::vector<std::string>& words, const std::string& edge) {
@@ -204,6 +212,7 @@ PieceWords words_of(const std::string& name) {
   if (words.hem_band && words.kind == PieceKind::kBand)
     words.hem_band = false;  // "waistband" is what it says
   words.leg = words.kind == PieceKind::kLegs;
+  if (words.kind == PieceKind::kOther && stands_alone(all)) words.kind = PieceKind::kCollar;
   for (const std::string& w : all) {
     const auto is = [&](std::initializer_list<const char*> any) {
       return std::any_of(any.begin(), any.end(), [&](const char* x) { return w == x; });

@@ -17,8 +17,8 @@
 #include "core/pattern/seams/mirror_images.h"
 #include "core/pattern/seams/runs_to_edges.h"
 #include "core/pattern/seams/search.h"
-#include "core/pattern/seams/second_layers.h"
 #include "core/pattern/seams/sleeve_head.h"
+#include "core/pattern/seams/strangers.h"
 #include "core/pattern/seams/strap_places.h"
 #include "core/pattern/seams/taken_edges.h"
 #include "core/pattern/seams/weights.h"
@@ -238,14 +238,14 @@ std::vector<SeamProposal> proposals_of(const pattern::Pattern& pattern, const st
   return proposals;
 }
 
-/// First for the pieces that make the garment, then for what lies on them: linings, facings and pockets
-/// repeat their outlines, and would take their edges.
+/// First for the pieces that make the garment, then for what lies on them and for strangers: linings, facings
+/// and pockets repeat their outlines, and would take their edges, and so would strips.
 std::vector<SeamProposal> proposals_by_layers(const pattern::Pattern& pattern,
                                               const ProposalSettings& settings, const RunContext& context) {
   const std::vector<Index> all = order_of_pieces(pattern);
-  const std::vector<char> layers = lying_on_others(pattern);
+  const std::vector<char> last = sewn_last(pattern);
   std::vector<Index> shell;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(shell), [&](Index p) { return !layers[p]; });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(shell), [&](Index p) { return !last[p]; });
   if (shell.size() < 2 || shell.size() == all.size()) return proposals_of(pattern, all, settings, context);
   std::vector<SeamProposal> proposals = proposals_of(pattern, shell, settings, context);
   const std::vector<bool> taken = sewn_together(proposals, kConfidenceWeights.settled);

@@ -60,12 +60,25 @@ std::optional<Meeting> meeting_of(const pattern::Panel& front, const Mouth& mout
   return Meeting{from + s * up, s, w};
 }
 
-std::optional<PocketCorner> corner_by_lines(const pattern::Panel& front, const seams::SeamModel& m,
+/// As the line of the mouth on a facing tells, which knows how the hip is curved, or else where side and
+/// waist meet that run on straight.
+std::optional<PocketCorner> corner_at_mouth(std::span<const pattern::Panel> panels, const seams::SeamModel& m,
                                             Index panel, const std::vector<double>& behind) {
-  for (const Mouth& mouth : mouths_of(m, panel)) {
+  const pattern::Panel& front = panels[panel];
+  const std::vector<pattern::PanelEdge>& edges = front.outline.edges;
+  const std::vector<Mouth> mouths = mouths_of(m, panel);
+  const auto adds = [&](const Mouth& mouth, double side) {
+    return !agrees(behind, mouth.side_length) && agrees(behind, mouth.side_length + side);
+  };
+  for (const Mouth& mouth : mouths) {
+    const pattern::PanelEdge& side = edges[mouth.side];
+    const auto corner = facing_corner_at(panels, m, side, edges[mouth.waist], mouth.after);
+    const Vec2 from = mouth.after ? side.curves.back().p3 : side.curves.front().p0;
+    if (corner && adds(mouth, length(*corner - from))) return PocketCorner{panel, mouth.mouth, *corner};
+  }
+  for (const Mouth& mouth : mouths) {
     const std::optional<Meeting> meeting = meeting_of(front, mouth);
-    if (meeting && !agrees(behind, mouth.side_length) && agrees(behind, mouth.side_length + meeting->side))
-      return PocketCorner{panel, mouth.mouth, meeting->at};
+    if (meeting && adds(mouth, meeting->side)) return PocketCorner{panel, mouth.mouth, meeting->at};
   }
   return std::nullopt;
 }
@@ -81,7 +94,7 @@ std::vector<PocketCorner> pocket_corners(std::span<const pattern::Panel> panels)
   std::vector<PocketCorner> corners;
   for (Index p = 0; p < static_cast<Index>(panels.size()); ++p) {
     if (m.words[p].face <= 0 || m.words[p].layer || !seams::has_leg_crotch(m, p)) continue;
-    std::optional<PocketCorner> corner = corner_by_lines(panels[p], m, p, behind);
+    std::optional<PocketCorner> corner = corner_at_mouth(panels, m, p, behind);
     if (!corner) corner = corner_by_facing(panels, m, p, behind);
     if (corner) corners.push_back(*corner);
   }

@@ -10,9 +10,9 @@
 namespace toile::create {
 
 /// Where another piece is a facing or a pocket by its name, and a back's side, alone or with a yoke's, is as
-/// long as the front's would be with the corner, and not without it. Side and waist run on straight to it;
-/// or, where the side runs into the mouth without a corner, the line of the mouth that is drawn on the facing
-/// tells where it begins and what the facing adds. Grains point upwards.
+/// long as the front's would be with the corner, and not without it. The line of the mouth that is drawn on
+/// the facing tells where it is, and also where the side runs into the mouth without a corner; else side and
+/// waist run on straight to it. Grains point upwards.
 std::vector<PocketCorner> pocket_corners(std::span<const pattern::Panel> panels);
 
 /// The front with its corner: its side and its waist go on, and the mouth is gone.

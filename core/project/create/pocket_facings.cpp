@@ -87,29 +87,39 @@ std::optional<double> mouth_on(const pattern::PanelEdge& side, bool after, doubl
   return std::nullopt;
 }
 
-double degrees_between(Vec2 a, Vec2 b) {
-  return std::atan2(std::abs(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi;
+/// Whether one way is nearly the other.
+bool goes_on(Vec2 way, Vec2 on) {
+  constexpr double kGoesOn = 12;  // degrees
+  return std::atan2(std::abs(cross(way, on)), dot(way, on)) * 180 / std::numbers::pi < kGoesOn;
+}
+
+/// Out of the front across its mouth, where that way leads down along it.
+Vec2 out_of_mouth(Vec2 along, bool after) {
+  return after ? Vec2{-along.y, along.x} : Vec2{along.y, -along.x};
+}
+
+/// Whether it adds as much to side and waist as a pocket may take, from the mouth's ends there.
+bool adds_enough(Vec2 corner, Vec2 side, Vec2 waist) {
+  const double up = length(corner - side), across = length(corner - waist);
+  return std::min(up, across) >= kLeastCut && std::max(up, across) <= kMostCut;
 }
 
 /// The corner that the facing adds to such a side, if side and waist go on to it and backs' sides are as
 /// long.
 std::optional<PocketCorner> corner_of_facing(const pattern::Panel& front, Index panel, const SmoothSide& side,
                                              const FacingCorner& facing, const std::vector<double>& behind) {
-  constexpr double kGoesOn = 12;  // degrees
-  constexpr double kBelow = 20;   // mm of the side that tell where it goes on to
+  constexpr double kBelow = 20;  // mm of the side that tell where it goes on to
   const pattern::PanelEdge& edge = front.outline.edges[side.edge];
   const std::optional<double> mouth = mouth_on(edge, side.after, facing.line);
   if (!mouth) return std::nullopt;
   const double all = pattern::arc_length(edge);
   const auto at = [&](double s) { return pattern::point_at_length(edge, side.after ? all - s : s); };
   const Vec2 top = at(0), from = at(*mouth), along = normalized(from - top);
-  const Vec2 out = side.after ? Vec2{-along.y, along.x} : Vec2{along.y, -along.x};
-  const Vec2 corner = top + facing.along * along + facing.beyond * out;
-  const double waist = length(corner - top), rest = length(corner - from);
-  if (std::min(waist, rest) < kLeastCut || std::max(waist, rest) > kMostCut) return std::nullopt;
+  const Vec2 corner = top + facing.along * along + facing.beyond * out_of_mouth(along, side.after);
+  if (!adds_enough(corner, from, top)) return std::nullopt;
   const Vec2 up = from - at(*mouth + kBelow), on = way_on(front.outline.edges[side.waist], !side.after);
-  if (degrees_between(corner - from, up) > kGoesOn || degrees_between(corner - top, on) > kGoesOn ||
-      !agrees(behind, side.below + all - *mouth + rest))
+  if (!goes_on(corner - from, up) || !goes_on(corner - top, on) ||
+      !agrees(behind, side.below + all - *mouth + length(corner - from)))
     return std::nullopt;
   const double share = *mouth / all;
   return side.after ? PocketCorner{panel, side.edge, corner, 1 - share, 1}
@@ -124,6 +134,23 @@ std::optional<PocketCorner> corner_by_facing(std::span<const pattern::Panel> pan
   for (const SmoothSide& side : smooth_sides_of(m, panel))
     for (const FacingCorner& facing : facing_corners(panels, m))
       if (auto corner = corner_of_facing(panels[panel], panel, side, facing, behind)) return corner;
+  return std::nullopt;
+}
+
+std::optional<Vec2> facing_corner_at(std::span<const pattern::Panel> panels, const seams::SeamModel& m,
+                                     const pattern::PanelEdge& side, const pattern::PanelEdge& waist,
+                                     bool after) {
+  constexpr double kAsLong = 2;  // mm, that mouth and line may differ by
+  const Vec2 from = after ? side.curves.back().p3 : side.curves.front().p0;
+  const Vec2 top = after ? waist.curves.front().p0 : waist.curves.back().p3;
+  const Vec2 along = normalized(from - top), out = out_of_mouth(along, after);
+  for (const FacingCorner& facing : facing_corners(panels, m)) {
+    if (std::abs(facing.line - length(from - top)) > kAsLong) continue;
+    const Vec2 corner = top + facing.along * along + facing.beyond * out;
+    if (adds_enough(corner, from, top) && goes_on(corner - from, way_on(side, after)) &&
+        goes_on(corner - top, way_on(waist, !after)))
+      return corner;
+  }
   return std::nullopt;
 }
 

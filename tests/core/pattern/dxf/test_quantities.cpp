@@ -24,7 +24,7 @@ TEST(DxfQuantities, FiguresBesideWordsOfCuttingAndCountingTell) {
       {"couper 1 paire", 2},   {"2 pairs", 4},          {"2 ADET (AYNALI)", 2},
       {"POCKET cut 4", 4},     {"rukav 2 ks", 2},       {"2 \u0434\u0435\u0442.", 2},
       {"Manga - 2 pzs 1x", 1}, {"1x im Stoffbruch", 1}, {"Hiha 2 kpl", 2},
-      {"QTY 2 (1+1 MIRR)", 2}, {"Anzahl 3", 3}};
+      {"QTY 2 (1+1 MIRR)", 2}, {"Anzahl 3", 3},         {"2 (1x links, 1x rechts)", 2}};
   for (const auto& [text, count] : cases) {
     ASSERT_TRUE(told_quantity(text)) << text;
     EXPECT_EQ(told_quantity(text)->as_drawn, count) << text;

@@ -102,6 +102,16 @@ TEST(PocketCorners, TheLineOnAFacingTellsWhereASmoothMouthBegins) {
   }
 }
 
+TEST(PocketCorners, AFacingKnowsHowTheHipIsCurvedAboveAMouth) {
+  pattern::Panel facing = garments::piece("Pocket facing", {{-30, -10}, {41, -20}, {32, 160}, {-60, 160}});
+  facing.lines = {{"mouth", {{40, 0}, {0, 160}}, true}};
+  const std::vector<create::PocketCorner> corners = create::pocket_corners(
+      std::vector{garments::slashed_front(840), garments::back_of_trousers(1000), facing});
+  ASSERT_EQ(corners.size(), 1u);
+  EXPECT_NEAR(corners[0].corner.x, 212, 0.1) << "where side and waist run on straight it is 220";
+  EXPECT_NEAR(corners[0].corner.y, 1000, 0.1);
+}
+
 TEST(PocketCorners, AFacingThatGoesOnElsewhereTellsNothing) {
   const pattern::Panel back = garments::back_of_trousers(1000), front = smooth_front();
   const pattern::Panel fits = facing_with_mouth({40, 0}, {0, 160});
