@@ -22,9 +22,10 @@ constexpr KeyNames kKeys[] = {
      "nome del pezzo;deel;patroondeel;naam;nazwa;czesc;dil;nazev dilu;diel;parca;"
      "parca adi;delnamn;part name;detal;nazvanie;nazvanie detali;naimenovanie;naimenovanie detali;"
      "element;dio;naziv;naziv dijela;komad;kos;alkatresz;szabasresz;megnevezes;kappale;osa;osan nimi;"
+     "name;nome;nom;nombre;navn;namn;bezeichnung;benennung;onderdeel;isim;nimi;nev;ime;nume;"
      "piesa;reper;denumire;stykke;stykkenavn;del;molde;nome do molde;裁片;裁片名;裁片名称;部件;パーツ名;"},
     {"size",
-     ";groesse;grosse;taille;talla;tamanho;taglia;maat;rozmiar;velikost;velkost;beden;"
+     ";groesse;grosse;gr;tam;tg;storl;rozm;taille;talla;tamanho;taglia;maat;rozmiar;velikost;velkost;beden;"
      "storlek;storrelse;razmer;rozmir;velicina;meret;koko;marime;masura;尺码;码数;サイズ;"},
     {"quantity",
      ";anzahl;stueck;stuck;stueckzahl;stuckzahl;menge;quantite;cantidad;quantidade;"
@@ -35,7 +36,7 @@ constexpr KeyNames kKeys[] = {
     {"material",
      ";stoff;tissu;matiere;tela;tejido;tecido;tessuto;stof;tkanina;latka;kumas;tyg;fabric;"
      "materijal;materiale;materiaali;kangas;anyag;tesatura;tkan;面料;布料;生地;"},
-    {"style name", ";modell;modele;modelo;modello;"},
+    {"style name", ";style;modell;modele;modelo;modello;fason;stil;"},
     {"units",
      ";einheit;einheiten;unite;unites;unidad;unidades;unita;eenheid;eenheden;jednostka;"
      "jednostki;jednotka;jednotky;birim;enhet;enhed;unit;"},

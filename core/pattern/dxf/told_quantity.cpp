@@ -80,7 +80,8 @@ bool is_quantity(const std::string& word) { return english_key(word) == "quantit
 
 /// Whether what follows the first figure says how it is made up: "2 (1x left, 1x right)".
 bool is_sum_of_rest(const std::vector<Token>& tokens) {
-  if (tokens.size() < 2 || !tokens[0].is_figure() || !tokens[1].is_figure()) return false;
+  if (tokens.size() < 3 || !tokens[0].is_figure() || !tokens[1].is_figure() || tokens[2].text != "x")
+    return false;
   int rest = 0;
   for (std::size_t i = 1; i < tokens.size(); ++i) rest += std::max(0, tokens[i].figure);
   return tokens[0].figure == rest;

@@ -173,7 +173,7 @@ bool is_waist_on_leg(const SeamModel& m, const SeamRun& band, const SeamRun& leg
 /// Whether the runs are a collar's and the upper end of a sleeve that goes up to the neck between front and
 /// back.
 bool is_raglan_neck(const SeamModel& m, const SeamRun& collar, const SeamRun& sleeve) {
-  return is_neck(m.words[collar.panel].kind) && is_raglan_top(m, sleeve);
+  return is_neck(m.words[collar.panel].kind) && sleeve.raglan_top;
 }
 
 /// Whether a front's middle would be sewn to a back's flank or side, or the other way round, although both

@@ -25,6 +25,7 @@ struct SeamRun {
   double up = 0;      ///< how much the cloth's outside at its whole edge faces up along the grain, -1 to 1
   bool side = false;  ///< faces up, and so does another edge of its length: neither is the upper end
   bool cap = false;   ///< of a sleeve's edges the one that bulges most
+  bool raglan_top = false;                          ///< of a sleeve that goes up to the neck, its end there
   Index mirror_panel = kNone, mirror_edge = kNone;  ///< the edge that mirrors its edge, itself perhaps
   std::array<Vec2, kSamples> at;                    ///< mm, evenly along it, ends included
   std::array<double, kSamples - 1> turn;  ///< degrees from its first chord, of each chord between samples
@@ -55,7 +56,7 @@ struct SeamModel {
   /// Which way the file means left and right, told by pieces that have sides and faces: +1 where left pieces
   /// are the wearer's left ones seen from outside, -1 where it is the other way round, 0 where nothing tells.
   int handed = 0;
-  bool tailored = false;  ///< a sleeve has an under part: its upper end, in the armhole, is hollow
+  bool tailored = false;  ///< a sleeve has an under part, by its name or by its hollow upper end
   bool raglan = false;    ///< a sleeve goes up to the neck between front and back
   bool cut_on = false;    ///< cuffs end sleeves that are cut in one with the bodice
   bool nameless = false;  ///< no name says what covers trunk, arms or legs: kinds are told by shapes

@@ -100,6 +100,29 @@ bool closes_gore(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   return false;
 }
 
+/// Whether one is of a belt and the other of what no belt is ever sewn to: it lies around a garment, but it
+/// may be what a skirt's waistband is called.
+bool is_off_belt(const SeamModel& m, const SeamRun& belt, const SeamRun& other) {
+  return m.words[belt.panel].belt && belt.panel != other.panel &&
+         m.words[other.panel].kind != PieceKind::kSkirt;
+}
+
+/// Whether both are of the same part of sleeves that have another one, above or under the arm, before or
+/// behind: each part is sewn to the other.
+bool are_one_part_of_sleeve(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const PieceWords &x = m.words[a.panel], &y = m.words[b.panel];
+  if (x.kind != PieceKind::kSleeve || y.kind != PieceKind::kSleeve) return false;
+  const auto has = [&](auto is) {
+    return std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) {
+      return w.kind == PieceKind::kSleeve && w.layer == x.layer && is(w);
+    });
+  };
+  if (x.sleeve_part * y.sleeve_part > 0)
+    return has([&](const PieceWords& w) { return w.sleeve_part == -x.sleeve_part; });
+  return x.sleeve_part == 0 && x.face * y.face > 0 &&
+         has([&](const PieceWords& w) { return w.face == -x.face; });
+}
+
 /// Whether yokes of the left and the right leg would meet at the shorter of their ends: they are deeper in
 /// the middle of the back than at the sides.
 bool meets_at_side_of_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
@@ -118,6 +141,7 @@ bool meets_at_side_of_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& 
 bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b) || closes_half_band(m, a, b) ||
       closes_yoke(m, a, b) || closes_gore(m, a, b) || meets_at_side_of_yoke(m, a, b) ||
+      are_one_part_of_sleeve(m, a, b) || is_off_belt(m, a, b) || is_off_belt(m, b, a) ||
       misses_round_stand(m, a, b))
     return true;
   if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))

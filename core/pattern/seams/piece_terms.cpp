@@ -9,7 +9,8 @@ namespace {
 
 // Of each language: small letters without accents, "theirs=english", two words where they stand in a row.
 constexpr std::string_view kShortened =
-    "pkt=pocket;wbnd=waistband;wband=waistband;clr=collar;fcg=facing;sf=side front;sb=side back;"
+    "waist belt=waistband;pkt=pocket;wbnd=waistband;wband=waistband;clr=collar;fcg=facing;sf=side "
+    "front;sb=side back;"
     "wstbnd=waistband;wstband=waistband;wst=waist;lnng=lining;intl=interlining;fus=fusible;"
     "nkb=neckband;cfb=cuff;hmb=hem band;wsb=waistband;clb=collar band;plkt=placket;plk=placket;yk=yoke;ctr "
     "front=front;ctr back=back;nk=neck;nkband=neckband;"
@@ -339,7 +340,8 @@ constexpr std::string_view kTrims =
     // Spanish, Portuguese
     "cremallera=fly;cierre=fly;guardacierre=guard;tapacierre=guard;botonera=placket;vivo=welt;vivos=welt;"
     "jareta=facing;charretera=tab;trabillas=loop;presillas=loop;carteras=flap;tapas=flap;ziper=fly;"
-    "fecho=fly;passadores=loop;passantes=loop;passadeiras=loop;revel=facing;abas=flap;vista fecho=fly;"
+    "fecho=fly;passadores=loop;faixa=band;faixa decote=neckband;faixa "
+    "cintura=waistband;passantes=loop;passadeiras=loop;revel=facing;abas=flap;vista fecho=fly;"
     // Italian
     "cerniera=fly;lampo=fly;coprizip=guard;sottozip=guard;paracerniera=guard;filetti=welt;patelletta=flap;"
     "mostre=facing;mostrina=facing;fintino=placket;pattine=flap;alamaro=tab;"

@@ -92,6 +92,15 @@ bool lies_on_cloth(const std::string& word) {
          std::any_of(std::begin(kEnds), std::end(kEnds), [&](const char* w) { return word.ends_with(w); });
 }
 
+/// PieceWords::sleeve_part of a sleeve: "topsleeve", "under sleeve".
+int part_of_sleeve(const std::vector<std::string>& words) {
+  for (const std::string& w : words) {
+    if (w.starts_with("top") || w.starts_with("upper")) return 1;
+    if (w.starts_with("under") || w.starts_with("lower")) return -1;
+  }
+  return 0;
+}
+
 /// Whether a stand is all that is told of, so that it is the neck's and not of buttons.
 bool stands_alone(const std::vector<std::string>& words) {
   const auto has = [&](const char* word) {
@@ -229,12 +238,14 @@ PieceWords words_of(const std::string& name) {
     if (is({"b", "bk", "bck", "rear", "cb"}) || starts("back", 'b')) words.face = -1;
     if (is_leg_word(w)) words.leg = true;
     if (w == "yoke") words.yoke = true;
+    if (w == "belt") words.belt = words.kind == PieceKind::kStrap;
     if (is({"strap", "straps"})) words.over_shoulder = words.kind == PieceKind::kStrap;
     if (is({"side", "sidepanel", "flank"})) words.flank = words.kind != PieceKind::kHood;
     if (is({"stand", "neckband"}) && words.kind == PieceKind::kCollar) words.stand = true;
     if (lies_on_cloth(w)) words.layer = true;
     if (is({"slv", "sl", "arm"}) || w.ends_with("sleeve") || w.ends_with("cuff")) words.limb = true;
   }
+  if (words.kind == PieceKind::kSleeve) words.sleeve_part = part_of_sleeve(all);
   if (tell_both_faces(all)) words.face = 0;
   // A "front band" goes up along the front and around the neck.
   if (words.kind == PieceKind::kOther && std::find(all.begin(), all.end(), "band") != all.end())

@@ -32,6 +32,7 @@ struct PieceWords {
   bool guessed = false;        ///< no name says the kind, but the rest of the garment
   int side = 0;                ///< -1 left, +1 right
   int face = 0;                ///< +1 front, -1 back
+  int sleeve_part = 0;         ///< of a sleeve of two pieces: +1 the upper one, -1 the one under the arm
   bool flank = false;          ///< the side of a body: left and right never meet
   bool leg = false;            ///< of trousers
   bool limb = false;           ///< a sleeve or a cuff: left and right never meet
@@ -40,6 +41,7 @@ struct PieceWords {
   bool hem_band = false;       ///< a band that ends a top below; of a skirt nothing tells what it is
   bool bib = false;            ///< stands up from a waist in the middle of its face, its sides free
   bool over_shoulder = false;  ///< a strap, no tie or belt
+  bool belt = false;           ///< a strap around the waist
   bool layer = false;          ///< a lining, a facing, a pocket: cloth that lies on other cloth
 
   void guess(PieceKind what) {

@@ -137,6 +137,28 @@ CrotchEnd crotch_end(const SeamModel& m, const SeamRun& middle, Step down) {
   return {&down(next), middle.turn.back() + next.turn.back() - std::max(0.0, corner - 180)};
 }
 
+/// The end at the neck of a sleeve's front or back, where the sleeve has both: the short edge between the one
+/// along the arm, which is the longest, and the slope.
+SeamRun* top_of_half_raglan(SeamModel& m, Index panel) {
+  constexpr double kShort = 0.06, kSlope = 0.1;  // of the outline
+  const PieceWords& words = m.words[panel];
+  const bool half = words.kind == PieceKind::kSleeve && words.face != 0 &&
+                    std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) {
+                      return w.kind == PieceKind::kSleeve && w.face == -words.face;
+                    });
+  if (!half) return nullptr;
+  SeamRun* longest = nullptr;
+  for (SeamRun& run : m.runs)
+    if (run.panel == panel && (longest == nullptr || run.length > longest->length)) longest = &run;
+  SeamRun& after = m.runs[longest->next];
+  SeamRun& before = m.runs[static_cast<std::size_t>(&run_before(m, *longest) - m.runs.data())];
+  const bool first = before.length < after.length;
+  SeamRun& top = first ? before : after;
+  const SeamRun& slope = first ? run_before(m, before) : m.runs[after.next];
+  const double girth = m.girth[panel];
+  return top.length < kShort * girth && slope.length > kSlope * girth && &slope != longest ? &top : nullptr;
+}
+
 }  // namespace
 
 bool is_leg_crotch(const SeamModel& m, const SeamRun& run) {
@@ -306,6 +328,11 @@ void find_caps(SeamModel& m) {
   std::vector<char> above(m.words.size(), 0);
   for (const SeamRun& run : m.runs) above[run.panel] = above[run.panel] || (run.cap && run.up > kAbove);
   if (std::none_of(above.begin(), above.end(), [](char any) { return any != 0; })) return;
+  const auto has_part = [&](int part) {
+    return std::any_of(m.words.begin(), m.words.end(),
+                       [&](const PieceWords& w) { return !w.layer && w.sleeve_part == part; });
+  };
+  m.tailored = m.tailored || (has_part(1) && has_part(-1));
   for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p)
     if (m.words[p].kind == PieceKind::kSleeve && !above[p]) find_upper_cap(m, p);
 }
@@ -328,16 +355,18 @@ void find_standing_sleeves(SeamModel& m) {
   }
 }
 
-bool is_raglan_top(const SeamModel& m, const SeamRun& run) {
-  return m.words[run.panel].kind == PieceKind::kSleeve && m.upright[run.panel] && !run.cap &&
-         run.up > kPairWeights.facing && run.length < kPairWeights.crotch * m.girth[run.panel];
-}
-
 void find_raglan_sleeves(SeamModel& m) {
-  m.raglan = std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-    return is_raglan_top(m, run) && is_raglan_slope(m, run_before(m, run), run) &&
-           is_raglan_slope(m, m.runs[run.next], run);
-  });
+  for (SeamRun& run : m.runs) {
+    run.raglan_top = m.words[run.panel].kind == PieceKind::kSleeve && m.upright[run.panel] && !run.cap &&
+                     run.up > kPairWeights.facing && run.length < kPairWeights.crotch * m.girth[run.panel];
+    m.raglan = m.raglan || (run.raglan_top && is_raglan_slope(m, run_before(m, run), run) &&
+                            is_raglan_slope(m, m.runs[run.next], run));
+  }
+  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) {
+    SeamRun* top = top_of_half_raglan(m, p);
+    if (top == nullptr) continue;
+    top->raglan_top = m.raglan = true;
+  }
 }
 
 void find_sides(SeamModel& m) {

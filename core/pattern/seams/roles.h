@@ -42,11 +42,9 @@ void find_caps(SeamModel& m);
 /// between two edges that are alike. A sleeve that lies has its ends there.
 void find_standing_sleeves(SeamModel& m);
 
-/// `raglan`. REQUIRES caps and standing sleeves.
+/// `raglan`, and `raglan_top` of runs: a sleeve's upper end that is short, level and no cap, or of one that
+/// is cut in front and back the short edge beside the one along the arm. REQUIRES caps and standing sleeves.
 void find_raglan_sleeves(SeamModel& m);
-
-/// Whether the run is the upper end of a sleeve that goes up to the neck: short, level, and no cap.
-bool is_raglan_top(const SeamModel& m, const SeamRun& run);
 
 /// `crotch_side`: of pieces that are legs, by name or by name_legs(), and have a crotch on one side alone.
 void find_crotch_sides(SeamModel& m);

@@ -77,6 +77,11 @@ std::vector<double> millimetres(const Part& part) {
 struct Head {
   double crown = 0, from = 0, to = 0;
   bool back_last() const { return to - crown < crown - from; }
+  /// Whether it is so uneven that it tells front from back.
+  bool tells_back() const {
+    const auto [less, more] = std::minmax({crown - from, to - crown});
+    return more > kUneven * less;
+  }
 };
 
 /// The notch near a place of a part, or that place.
@@ -120,8 +125,7 @@ std::optional<Head> head_of(const pattern::Pattern& pattern, const SeamModel& m,
        k = (k + n - 1) % n, ++parts)
     head.from -= sleeve[k].length;
   if (parts == n) return std::nullopt;  // of one piece
-  const auto [less, more] = std::minmax({head.crown - head.from, head.to - head.crown});
-  return less > 0 && more > kUneven * less ? std::optional(head) : std::nullopt;
+  return head.from < head.crown && head.crown < head.to ? std::optional(head) : std::nullopt;
 }
 
 /// Where an armhole comes to the shoulder, mm from the ring's start, and whether its back comes after that.
@@ -182,7 +186,7 @@ struct Setting {
   Ring armhole, sleeve;  ///< in the order of the armhole
   Shoulder shoulder;
   Head head;
-  bool at_its_arm() const { return head.back_last() == shoulder.back_after; }
+  bool at_its_arm() const { return !head.tells_back() || head.back_last() == shoulder.back_after; }
 };
 
 std::optional<Setting> setting_of(const pattern::Pattern& pattern, const SeamModel& m, Index number,

@@ -72,9 +72,9 @@ std::optional<PocketCorner> corner_at_mouth(std::span<const pattern::Panel> pane
   };
   for (const Mouth& mouth : mouths) {
     const pattern::PanelEdge& side = edges[mouth.side];
-    const auto corner = facing_corner_at(panels, m, side, edges[mouth.waist], mouth.after);
     const Vec2 from = mouth.after ? side.curves.back().p3 : side.curves.front().p0;
-    if (corner && adds(mouth, length(*corner - from))) return PocketCorner{panel, mouth.mouth, *corner};
+    for (const Vec2 corner : facing_corners_at(panels, m, side, edges[mouth.waist], mouth.after))
+      if (adds(mouth, length(corner - from))) return PocketCorner{panel, mouth.mouth, corner};
   }
   for (const Mouth& mouth : mouths) {
     const std::optional<Meeting> meeting = meeting_of(front, mouth);

@@ -137,21 +137,22 @@ std::optional<PocketCorner> corner_by_facing(std::span<const pattern::Panel> pan
   return std::nullopt;
 }
 
-std::optional<Vec2> facing_corner_at(std::span<const pattern::Panel> panels, const seams::SeamModel& m,
-                                     const pattern::PanelEdge& side, const pattern::PanelEdge& waist,
-                                     bool after) {
+std::vector<Vec2> facing_corners_at(std::span<const pattern::Panel> panels, const seams::SeamModel& m,
+                                    const pattern::PanelEdge& side, const pattern::PanelEdge& waist,
+                                    bool after) {
   constexpr double kAsLong = 2;  // mm, that mouth and line may differ by
   const Vec2 from = after ? side.curves.back().p3 : side.curves.front().p0;
   const Vec2 top = after ? waist.curves.front().p0 : waist.curves.back().p3;
   const Vec2 along = normalized(from - top), out = out_of_mouth(along, after);
+  std::vector<Vec2> corners;
   for (const FacingCorner& facing : facing_corners(panels, m)) {
     if (std::abs(facing.line - length(from - top)) > kAsLong) continue;
     const Vec2 corner = top + facing.along * along + facing.beyond * out;
     if (adds_enough(corner, from, top) && goes_on(corner - from, way_on(side, after)) &&
         goes_on(corner - top, way_on(waist, !after)))
-      return corner;
+      corners.push_back(corner);
   }
-  return std::nullopt;
+  return corners;
 }
 
 }  // namespace toile::create

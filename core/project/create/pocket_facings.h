@@ -25,11 +25,11 @@ std::optional<PocketCorner> corner_by_facing(std::span<const pattern::Panel> pan
                                              const seams::SeamModel& model, Index panel,
                                              const std::vector<double>& behind);
 
-/// Where the corner is that a facing adds to a mouth that goes straight from the side's end to the waist's,
-/// if a line as long as that is drawn on one: seen from there it lies where side and waist go on to, mm.
-/// `after`: the outline runs from the side to the waist.
-std::optional<Vec2> facing_corner_at(std::span<const pattern::Panel> panels, const seams::SeamModel& model,
-                                     const pattern::PanelEdge& side, const pattern::PanelEdge& waist,
-                                     bool after);
+/// Where corners may be that facings add to a mouth that goes straight from the side's end to the waist's,
+/// mm: on a facing a line as long as that is drawn, and seen from there a corner lies where side and waist go
+/// on to. `after`: the outline runs from the side to the waist.
+std::vector<Vec2> facing_corners_at(std::span<const pattern::Panel> panels, const seams::SeamModel& model,
+                                    const pattern::PanelEdge& side, const pattern::PanelEdge& waist,
+                                    bool after);
 
 }  // namespace toile::create
