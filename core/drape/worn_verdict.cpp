@@ -16,9 +16,13 @@ namespace {
 
 /// m that what hangs together may come down by until its parts that are to carry it do.
 constexpr double kSlipped = 0.2;
+constexpr double kFarDown = 0.3;
 constexpr double kUpperEnd = 0.3;  // m, below the highest place or the neck, whichever is lower
 constexpr double kAtWaist = 0.06;  // m below the waist: what goes around it there is worn, wherever it began
 constexpr double kDropped = 0.01;  // m above the ankles: what lies under that all around has fallen
+
+/// What of the body a piece is for.
+enum class Covers { kLegs, kTrunk, kOther };
 
 preflight::Concerns pieces_of(const DrapeInput& input, const sewing::GarmentMesh& garment,
                               const std::vector<Index>& ring) {
@@ -45,14 +49,18 @@ void tell_slit(const DrapeInput& input, const sewing::GarmentMesh& garment, cons
 /// and a collar that turns over are the highest of a garment that stays: all that reached up to its upper end
 /// must have come down.
 ///
-/// `hangs`: of each panel, whether it is for the waist; a part of such alone has slipped only below `waist`.
+/// A front or a back that came down by all of the chest has slipped, whatever became of the rest: a strap may
+/// still lie on the shoulders.
+///
+/// `covers`: of each panel what it is for; a part for the waist alone has slipped only below `waist`.
 std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& garment,
                                                     std::span<const double> tops,
                                                     std::span<const double> tops_now, double neck,
-                                                    const std::vector<char>& hangs, double waist) {
+                                                    const std::vector<Covers>& covers, double waist) {
   DisjointSets parts(tops.size());
   for (const auto& [i, j] : garment.sewn) parts.join(garment.panel_of_vertex[i], garment.panel_of_vertex[j]);
   std::vector<double> began(tops.size(), -HUGE_VAL), least(tops.size(), HUGE_VAL);
+  std::vector<double> fell(tops.size(), 0);
   std::vector<char> at_waist(tops.size(), 1);
   for (std::size_t p = 0; p < tops.size(); ++p) {
     double& top = began[parts.root(static_cast<Index>(p))];
@@ -61,7 +69,9 @@ std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& g
   for (std::size_t p = 0; p < tops.size(); ++p) {
     const Index part = parts.root(static_cast<Index>(p));
     if (tops[p] >= began[part] - kUpperEnd) least[part] = std::min(least[part], tops[p] - tops_now[p]);
-    at_waist[part] = at_waist[part] && hangs[p];
+    at_waist[part] = at_waist[part] && covers[p] == Covers::kLegs;
+    const double down = tops[p] - tops_now[p];
+    if (covers[p] == Covers::kTrunk && down > kFarDown) fell[part] = std::max(fell[part], down);
   }
   std::vector<double> highest(tops.size(), -HUGE_VAL);
   for (std::size_t p = 0; p < tops.size(); ++p) {
@@ -69,19 +79,24 @@ std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& g
     top = std::max(top, tops_now[p]);
   }
   std::vector<std::pair<Index, double>> slipped;
-  for (Index p = 0; p < static_cast<Index>(tops.size()); ++p)
-    if (parts.root(p) == p && least[p] > kSlipped && !(at_waist[p] && highest[p] > waist - kAtWaist))
-      slipped.emplace_back(p, least[p]);
+  for (Index p = 0; p < static_cast<Index>(tops.size()); ++p) {
+    const double by = least[p] > kSlipped ? least[p] : fell[p];
+    if (parts.root(p) == p && by > 0 && !(at_waist[p] && highest[p] > waist - kAtWaist))
+      slipped.emplace_back(p, by);
+  }
   return slipped;
 }
 
-/// Of each panel: whether it is of a skirt or of trousers, as far as names and shapes tell.
-std::vector<char> for_the_waist(const pattern::Pattern& pattern) {
-  std::vector<char> hangs;
-  for (const seams::PieceWords& words : seams::garment_words(pattern))
-    hangs.push_back(words.kind == seams::PieceKind::kSkirt || words.kind == seams::PieceKind::kLegs ||
-                    words.kind == seams::PieceKind::kBand || words.kind == seams::PieceKind::kFrill);
-  return hangs;
+/// Of each panel, as far as names and shapes tell.
+std::vector<Covers> covers_of(const pattern::Pattern& pattern) {
+  using enum seams::PieceKind;
+  std::vector<Covers> covers;
+  for (const seams::PieceWords& w : seams::garment_words(pattern)) {
+    const bool legs = w.kind == kSkirt || w.kind == kLegs || w.kind == kBand || w.kind == kFrill;
+    const bool trunk = (w.kind == kTorso || w.kind == kOther) && w.face != 0;
+    covers.push_back(legs ? Covers::kLegs : trunk ? Covers::kTrunk : Covers::kOther);
+  }
+  return covers;
 }
 
 /// Where all of the cloth lies on the ground: its highest place.
@@ -155,7 +170,7 @@ WornVerdict judge_worn(const DrapeInput& input, const std::optional<dressing::Pe
   }
   const double neck = std::max(person->figure.neck_side[0].y, person->figure.neck_side[1].y);
   for (const auto& [panel, by] : slipped_parts(garment, tops, tops_of(garment, x), neck,
-                                               for_the_waist(input.pattern), person->figure.waist)) {
+                                               covers_of(input.pattern), person->figure.waist)) {
     add(preflight::FindingKind::kSlipped,
         "what hangs together here slipped " + preflight::length_text(by) +
             " down from where it was put on; something to hold it up is missing, or it is too wide",

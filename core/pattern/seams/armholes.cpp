@@ -66,7 +66,10 @@ bool is_set_on_turned(const SeamModel& m, const SeamRun& torso, const SeamRun& s
 double armhole_merit(const SeamModel& m, const SeamRun& torso, const SeamRun& sleeve) {
   const auto whole = [](const SeamRun& run) { return run.from == 0 && run.to == 1; };
   const bool differ = whole(torso) && whole(sleeve) && difference(torso, sleeve) > kPairWeights.tailored_ease;
-  if (m.tailored && (!sleeve.cap || differ)) return kPairWeights.never_meet;
+  // Between its notches a tailored sleeve is eased by more than any other seam: it is set in as a whole.
+  const auto notched = [](const SeamRun& run) { return run.from_notch || run.to_notch; };
+  if (m.tailored && (!sleeve.cap || differ || notched(torso) || notched(sleeve)))
+    return kPairWeights.never_meet;
   const bool wrist = m.upright[sleeve.panel] && sleeve.up < -kPairWeights.facing;
   const bool neck = m.upright[torso.panel] && torso.up > kPairWeights.facing &&
                     m.twin[torso.panel] == torso.panel && torso.mirror_edge == torso.edge;

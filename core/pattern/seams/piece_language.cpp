@@ -88,10 +88,10 @@ std::string english_word(const std::string& word) {
 
 /// "Del" is a front (delantero) and "die" a back (dietro) where no word follows that an article could belong
 /// to, "on" a front of Turkish where nothing follows at all. What the copy of a piece is called besides
-/// counts for nothing.
+/// counts for nothing, nor does its size ("DEL T42").
 void tell_short_faces(std::vector<std::string>& words) {
   std::vector<std::string> own = words;
-  while (!own.empty() && own.back() == "mirrored") own.pop_back();
+  while (!own.empty() && (own.back() == "mirrored" || own.back() == "t")) own.pop_back();
   if (own.empty()) return;
   std::string& last = words[own.size() - 1];
   if (last == "die" && own.size() > 1) last = "back";

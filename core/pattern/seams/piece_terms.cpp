@@ -82,7 +82,9 @@ constexpr std::string_view kFrench =
     "interieur=facing;interieure=facing;ruban=tape;";
 
 constexpr std::string_view kSpanishPortuguese =
-    "cordon=cord;cordao=cord;elastico=elastic;delant=front;post=back;esp=back;espald=back;tras=back;pret="
+    "superior=top;sup=top;inferior=under;inf=under;manga cima=topsleeve;manga "
+    "baixo=undersleeve;cordon=cord;cordao=cord;elastico=elastic;delant=front;post=back;esp=back;espald=back;"
+    "tras=back;pret="
     "waistband;mga=sleeve;cllo=collar;bols=pocket;"
     "del izq=left front;del der=right front;del izdo=left front;del dcho=right front;izq=left;izdo=left;"
     "izda=left;der=right;dcho=right;dcha=right;cuart=side;fald=skirt;"

@@ -54,15 +54,19 @@ TEST(WornPlace, AShirtThatLiesBelowBothShouldersHasSlidOffThem) {
 }
 
 TEST(WornPlace, AHoodThatFellBackIsNoGarmentThatSlipped) {
-  const OnBody shirt(test::shirt());
+  OnBody shirt(test::shirt());
+  shirt.input.pattern.panels[0].id = "hood";
   std::vector<double> tops = drape::tops_of(shirt.start.placed.garment, shirt.x);
   const auto slipped = [&] {
     return told(drape::judge_worn(shirt.input, test::person(), shirt.start.placed.garment, shirt.x, tops, {})
                     .findings,
                 preflight::FindingKind::kSlipped);
   };
-  tops[0] += 0.55;  // one piece was that much higher than it is, as a hood before it lay on the head
+  tops[0] += 0.55;  // it was that much higher than it is, before it lay on the head
   EXPECT_FALSE(slipped());
+  shirt.input.pattern.panels[0].id = "front";
+  EXPECT_TRUE(slipped()) << "but a front came down by all of the chest, though the rest did not";
+  shirt.input.pattern.panels[0].id = "hood";
   for (std::size_t p = 1; p < tops.size(); ++p) tops[p] += 0.35;
   EXPECT_TRUE(slipped());
 }
