@@ -337,7 +337,8 @@ constexpr std::string_view kTrims =
     "rits=fly;ritsbeleg=facing;lusje=loop;lusjes=loop;lussen=loop;riemlussen=loop;paspel=piping;"
     "knoopbies=placket;"
     // French
-    "fermeture=fly;glissiere=fly;passants=loop;parement manche=cuff;patte epaule=tab;patte polo=placket;"
+    "bracelet=cuff;fermeture=fly;glissiere=fly;passants=loop;parement manche=cuff;patte epaule=tab;patte "
+    "polo=placket;"
     "patte=flap;passepoils=welt;coulisse=facing;plaque=facing;"
     // Spanish, Portuguese
     "cremallera=fly;cierre=fly;guardacierre=guard;tapacierre=guard;botonera=placket;vivo=welt;vivos=welt;"

@@ -96,7 +96,7 @@ bool lies_on_cloth(const std::string& word) {
 int part_of_sleeve(const std::vector<std::string>& words) {
   for (const std::string& w : words) {
     if (w.starts_with("top") || w.starts_with("upper")) return 1;
-    if (w.starts_with("under") || w.starts_with("lower")) return -1;
+    if (w.starts_with("under") || w.starts_with("lower") || w == "und") return -1;
   }
   return 0;
 }

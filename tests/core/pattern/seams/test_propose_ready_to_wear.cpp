@@ -368,6 +368,19 @@ TEST(ReadyToWear, BandsAndBeltsBySeveralNames) {
   EXPECT_TRUE(words[5].layer) << "a facing";
   EXPECT_TRUE(seams::is_tied(words[6]));
   EXPECT_FALSE(seams::is_tied(words[7]));
+  EXPECT_EQ(seams::words_of("CH77 DEL T42").face, 1) << "before its size";
+}
+
+TEST(ReadyToWear, AStandAloneIsTheNecksAndOneOfButtonsIsNone) {
+  EXPECT_TRUE(seams::words_of("stojka").kind == PieceKind::kCollar && seams::words_of("stojka").stand);
+  EXPECT_NE(seams::words_of("button stand").kind, PieceKind::kCollar);
+}
+
+TEST(ReadyToWear, ABeltIsSewnToNothingButASkirtWhoseWaistbandItMayBe) {
+  const seams::SeamModel m = seams::make_seam_model(
+      {{strip("belt", 700, 60), strip("front", 60, 700), strip("skirt", 700, 600)}, {}});
+  EXPECT_TRUE(seams::never_sewn(m, 1, 4));
+  EXPECT_FALSE(seams::never_sewn(m, 1, 8 + 2));
 }
 
 }  // namespace

@@ -210,23 +210,6 @@ std::vector<SeamProposal> sleeve_heads(const pattern::Pattern& pattern,
   return heads;
 }
 
-TEST_F(TailoredJacket, TurnsASleeveSoThatItsHighestPointLiesAtTheShoulder) {
-  const std::vector<SeamProposal> heads = sleeve_heads(pattern_, proposals_);
-  ASSERT_EQ(heads.size(), 2U);
-  for (const SeamProposal& p : heads) {
-    const auto [armhole, sleeve] = armhole_and_sleeve(pattern_, p);
-    double highest = 0, at_shoulder = 0;
-    for (const Place& place : sleeve) highest = std::max(highest, place.at.y);
-    for (std::size_t k = 0; k + 1 < armhole.size(); ++k) {
-      const std::string &x = armhole[k].piece, &y = armhole[k + 1].piece;
-      if ((x.starts_with("front") && y.starts_with("back")) ||
-          (x.starts_with("back") && y.starts_with("front")))
-        at_shoulder = sleeve[k].at.y;
-    }
-    EXPECT_NEAR(at_shoulder, highest, 2);
-  }
-}
-
 TEST_F(TailoredJacket, GivesEachArmTheSleeveWhoseElbowIsBehind) {
   for (const SeamProposal& p : sleeve_heads(pattern_, proposals_)) {
     const auto [armhole, sleeve] = armhole_and_sleeve(pattern_, p);
@@ -241,6 +224,36 @@ TEST_F(TailoredJacket, GivesEachArmTheSleeveWhoseElbowIsBehind) {
     }
     EXPECT_EQ(seams, 2);
   }
+}
+
+/// Whether each sleeve's highest point lies at the shoulder.
+void expect_highest_at_shoulder(const pattern::Pattern& pattern, const std::vector<SeamProposal>& proposals) {
+  const std::vector<SeamProposal> heads = sleeve_heads(pattern, proposals);
+  ASSERT_EQ(heads.size(), 2U);
+  for (const SeamProposal& p : heads) {
+    const auto [armhole, sleeve] = armhole_and_sleeve(pattern, p);
+    double highest = 0, at_shoulder = 0;
+    for (const Place& place : sleeve) highest = std::max(highest, place.at.y);
+    for (std::size_t k = 0; k + 1 < armhole.size(); ++k) {
+      const std::string &x = armhole[k].piece, &y = armhole[k + 1].piece;
+      if ((x.starts_with("front") && y.starts_with("back")) ||
+          (x.starts_with("back") && y.starts_with("front")))
+        at_shoulder = sleeve[k].at.y;
+    }
+    EXPECT_NEAR(at_shoulder, highest, 2);
+  }
+}
+
+TEST_F(TailoredJacket, TurnsASleeveSoThatItsHighestPointLiesAtTheShoulder) {
+  expect_highest_at_shoulder(pattern_, proposals_);
+}
+
+TEST(Tailored, ASleeveWhoseHighestPointIsInItsMiddleIsTurnedToo) {
+  pattern::Panel even = top_sleeve();
+  even.outline.edges[2].curves.front().p1 = {210, 735};
+  even.outline.edges[2].curves.front().p2 = {20, 660};
+  const pattern::Pattern jacket = with_mirror_images({front(), back(), side(), even, under_sleeve()});
+  expect_highest_at_shoulder(jacket, seams::propose_seams(jacket));
 }
 
 TEST_F(TailoredJacket, SetsASleeveByTheNotchNearItsHighestPoint) {
@@ -315,6 +328,32 @@ TEST(Tailored, TheCapOfAnUndersleeveIsItsHollowUpperEnd) {
     EXPECT_EQ(run.cap, run.edge == 2) << run.panel << ' ' << run.edge;
   const seams::SeamModel one = seams::make_seam_model({{top_sleeve()}, {}});
   EXPECT_FALSE(one.tailored) << "the cap of a sleeve in one piece may be gathered";
+}
+
+TEST(Tailored, AnUndersleeveIsNeverClosedByItselfWhereTheOtherPartIsThere) {
+  const auto closes = [](std::vector<pattern::Panel> panels) {
+    const seams::SeamModel m = seams::make_seam_model({std::move(panels), {}});
+    return !seams::never_sewn(m, 1, 3);  // its elbow and its inner seam
+  };
+  EXPECT_FALSE(closes({under_sleeve(), top_sleeve()}));
+  EXPECT_TRUE(closes({under_sleeve()}));
+  for (const char* name : {"MGA SUP", "TOP SLV", "Dessus manche"})
+    EXPECT_EQ(seams::words_of(name).sleeve_part, 1) << name;
+  for (const char* name : {"Manga inferior", "UND SLV", "Unterärmel"})
+    EXPECT_EQ(seams::words_of(name).sleeve_part, -1) << name;
+}
+
+TEST(Tailored, ARaglanCutInFrontAndBackEndsAtTheNeck) {
+  const auto half = [](const std::string& name) {  // hem, underarm, slope, neck, along the arm
+    return garments::piece(name, {{0, 0}, {150, 0}, {220, 460}, {60, 780}, {20, 790}});
+  };
+  const seams::SeamModel m =
+      seams::make_seam_model({{front(), back(), half("sleeve front"), half("sleeve back")}, {}});
+  EXPECT_TRUE(m.raglan);
+  for (const seams::SeamRun& run : m.runs)
+    EXPECT_EQ(run.raglan_top, run.panel >= 2 && run.edge == 3) << run.panel << " e" << run.edge;
+  const seams::SeamModel one = seams::make_seam_model({{front(), back(), half("sleeve front")}, {}});
+  EXPECT_FALSE(one.raglan);
 }
 
 TEST(Tailored, NoSleeveGoesToTheNeck) {
