@@ -82,7 +82,7 @@ constexpr std::string_view kFrench =
     "interieur=facing;interieure=facing;ruban=tape;";
 
 constexpr std::string_view kSpanishPortuguese =
-    "superior=top;sup=top;inferior=under;inf=under;manga cima=topsleeve;manga "
+    "bajo cuello=undercollar;superior=top;sup=top;inferior=under;inf=under;manga cima=topsleeve;manga "
     "baixo=undersleeve;cordon=cord;cordao=cord;elastico=elastic;delant=front;post=back;esp=back;espald=back;"
     "tras=back;pret="
     "waistband;mga=sleeve;cllo=collar;bols=pocket;"

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
+#include <utility>
 
+#include "core/base/text.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/seams/piece_language.h"
+#include "core/pattern/seams/piece_terms.h"
 
 namespace toile::seams {
 namespace {
@@ -13,6 +19,19 @@ constexpr double kSmall = 0.25;  // of the largest piece's area
 bool is_told(const PieceWords& w) {
   return w.kind != PieceKind::kOther || w.face != 0 || w.flank || w.leg || w.limb || w.stand || w.yoke ||
          w.hem_band || w.bib || w.layer;
+}
+
+/// Whether a word of the name is one of garments' parts, although it does not say which: a "button band" is
+/// known, but not to be of a front.
+bool tells_anything(const std::string& name) {
+  static const std::set<std::string> known = [] {
+    std::set<std::string> words;
+    for (const PieceTerm& term : all_terms())
+      for (std::string& word : words_of_name(term.english)) words.insert(std::move(word));
+    return words;
+  }();
+  const std::vector<std::string> words = words_of_piece(name);
+  return std::any_of(words.begin(), words.end(), [](const std::string& w) { return known.contains(w); });
 }
 
 bool is_trunk(const PieceWords& w) {
@@ -34,7 +53,8 @@ std::vector<char> find_strangers(const pattern::Pattern& pattern, const SeamMode
     area.push_back(std::abs(pattern::signed_area(panel.outline)));
   const double largest = *std::max_element(area.begin(), area.end());
   for (std::size_t p = 0; p < strangers.size(); ++p)
-    strangers[p] = !is_told(m.words[p]) && area[p] < kSmall * largest;
+    strangers[p] =
+        !is_told(m.words[p]) && area[p] < kSmall * largest && !tells_anything(pattern.panels[p].id);
   return strangers;
 }
 

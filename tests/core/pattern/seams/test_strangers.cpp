@@ -32,6 +32,7 @@ TEST(Strangers, ASmallPieceOfNoKnownNameComesLastAndTakesNoHem) {
 
 TEST(Strangers, WhatANameTellsOfIsNone) {
   EXPECT_EQ(seams::sewn_last({shirt_with("hem band"), {}}), (std::vector<char>{0, 0, 0, 0, 0}));
+  EXPECT_EQ(seams::sewn_last({shirt_with("button band"), {}}), (std::vector<char>{0, 0, 0, 0, 0}));
   EXPECT_EQ(seams::sewn_last({shirt_with("front facing"), {}}), (std::vector<char>{0, 0, 0, 0, 1}))
       << "but a layer comes last, too";
 }
