@@ -10,8 +10,8 @@
 #include "core/dressing/person.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/mesh/sewn_part.h"
+#include "core/pattern/seams/garment_words.h"
 #include "core/pattern/seams/piece_words.h"
-#include "core/pattern/seams/second_layers.h"
 #include "core/sewing/assembly.h"
 
 namespace toile::drape {
@@ -145,11 +145,11 @@ DrapeInput with_panels(const DrapeInput& input, const std::vector<Index>& kept) 
   renumber(now, some.left_open);
   some.attachments = now.those_of_panels(std::move(some.attachments));
   renumber(now, some.notions);
-  const std::vector<char> layers = seams::lying_on_others(input.pattern);
+  const std::vector<seams::PieceWords> words = seams::garment_words(input.pattern);
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     if (std::binary_search(kept.begin(), kept.end(), static_cast<Index>(p))) continue;
     const std::string& id = input.pattern.panels[p].id;
-    some.left_out.push_back({id, layers[p] != 0, {}, false, seams::is_tied(seams::words_of(id))});
+    some.left_out.push_back({id, words[p].layer, {}, false, seams::is_tied(words[p])});
   }
   return some;
 }

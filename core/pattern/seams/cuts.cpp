@@ -80,6 +80,8 @@ bool has_partner(const SeamModel& m, Index r) {
     if (m.runs[other].panel == m.runs[r].panel || other == m.mirror[r]) continue;
     const bool of_hem = begins_at_hem(m, m.runs[other]) || m.runs[other].up < -kPairWeights.facing;
     if (m.runs[r].cap && !m.tailored && of_hem) continue;  // a side or a hem that is as long by chance
+    if (m.runs[r].cap && !ever_meet(m.words[m.runs[r].panel].kind, m.words[m.runs[other].panel].kind))
+      continue;  // or a collar
     if (difference(m.runs[other].length, m.runs[r].length) < kCutWeights.alike) return true;
   }
   return false;

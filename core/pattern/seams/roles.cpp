@@ -137,6 +137,26 @@ CrotchEnd crotch_end(const SeamModel& m, const SeamRun& middle, Step down) {
   return {&down(next), middle.turn.back() + next.turn.back() - std::max(0.0, corner - 180)};
 }
 
+/// Bands that would end a top below, but are far longer than its hem: a belt is tied around it. Many
+/// languages have one word for both.
+void tell_belts(SeamModel& m) {
+  constexpr double kFarLonger = 1.2, kLevel = 0.9;
+  double hem = 0;  // mm
+  std::vector<double> longest(m.words.size(), 0);
+  for (const SeamRun& run : m.runs) {
+    const PieceWords& w = m.words[run.panel];
+    if (w.kind == PieceKind::kTorso && !w.layer && run.up < -kLevel) hem += run.length;
+    longest[run.panel] = std::max(longest[run.panel], run.length);
+  }
+  for (std::size_t p = 0; p < m.words.size(); ++p) {
+    PieceWords& w = m.words[p];
+    if (w.kind != PieceKind::kBand || !w.hem_band || hem == 0 || longest[p] < kFarLonger * hem) continue;
+    w.kind = PieceKind::kStrap;
+    w.belt = true;
+    w.hem_band = false;
+  }
+}
+
 /// The end at the neck of a sleeve's front or back, where the sleeve has both: the short edge between the one
 /// along the arm, which is the longest, and the slope.
 SeamRun* top_of_half_raglan(SeamModel& m, Index panel) {
@@ -219,6 +239,7 @@ void name_hem_bands(SeamModel& m) {
   if (!any(PieceKind::kTorso) || any(PieceKind::kSkirt) || any(PieceKind::kLegs)) return;
   for (PieceWords& w : m.words)
     if (w.hem_band) w.kind = PieceKind::kBand;
+  tell_belts(m);
 }
 
 void name_leg_cuffs(SeamModel& m) {

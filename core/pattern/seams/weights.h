@@ -290,7 +290,7 @@ struct CutWeights {
   double alike = 0.01;        ///< share of the length by which neighbours differ that lie end to end
   double ease = 0.045;        ///< that a long edge may have over the two
   double ease_cap = 0.4;      ///< that a sleeve's cap may have over the armholes of a front and a back
-  double yoke = 0.03;         ///< of a cap's length, that armholes and a yoke's end may differ by from it
+  double yoke = 0.05;         ///< of a cap's length, that armholes and a yoke's end may differ by from it
   double arm_least_mm = 100;  ///< of a side that goes up to the shoulder, what is left open for the arm …
   double arm_most = 0.75;     ///< … at most this share
   double arm_notch_mm = 15;   ///< that its notch may be off a sleeve's half

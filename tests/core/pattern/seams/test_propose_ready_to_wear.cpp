@@ -376,6 +376,15 @@ TEST(ReadyToWear, AStandAloneIsTheNecksAndOneOfButtonsIsNone) {
   EXPECT_NE(seams::words_of("button stand").kind, PieceKind::kCollar);
 }
 
+TEST(ReadyToWear, ABandFarLongerThanTheHemIsABelt) {
+  for (const double length : {900, 1600}) {
+    const auto words = words_of({plain_top("Devant", 520), plain_top("Dos", 600), plain_sleeve("Manche"),
+                                 strip("Ceinture", length, 60)});
+    EXPECT_EQ(words[3].belt, length > 1200) << length;
+    EXPECT_EQ(words[3].hem_band, length < 1200) << length;
+  }
+}
+
 TEST(ReadyToWear, ABeltIsSewnToNothingButASkirtWhoseWaistbandItMayBe) {
   const seams::SeamModel m = seams::make_seam_model(
       {{strip("belt", 700, 60), strip("front", 60, 700), strip("skirt", 700, 600)}, {}});
