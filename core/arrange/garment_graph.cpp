@@ -248,11 +248,13 @@ std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to,
 bool sewn_around(const GarmentGraph& graph, Index piece, Index other) {
   constexpr double kOneSided = 0.4;
   const Vec2 middle = graph.pieces[static_cast<size_t>(piece)].centroid;
+  // Of a strip, too, one long edge lies on one side.
+  const Vec2 size = bounding_box(graph.pieces[static_cast<size_t>(piece)].outline).size();
   Vec2 sum;
   int count = 0;
   for (const GarmentTie& t : graph.ties) {
     if (std::minmax(t.a, t.b) != std::minmax(piece, other)) continue;
-    const Vec2 d = (t.a == piece ? t.at_a : t.at_b) - middle;
+    const Vec2 off = (t.a == piece ? t.at_a : t.at_b) - middle, d{off.x / size.x, off.y / size.y};
     if (const double l = std::sqrt(d.x * d.x + d.y * d.y); l > 0) {
       sum = sum + d * (1 / l);
       ++count;

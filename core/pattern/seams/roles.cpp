@@ -167,16 +167,17 @@ SeamRun* top_of_half_raglan(SeamModel& m, Index panel) {
                       return w.kind == PieceKind::kSleeve && w.face == -words.face;
                     });
   if (!half) return nullptr;
-  SeamRun* longest = nullptr;
-  for (SeamRun& run : m.runs)
-    if (run.panel == panel && (longest == nullptr || run.length > longest->length)) longest = &run;
-  SeamRun& after = m.runs[longest->next];
-  SeamRun& before = m.runs[static_cast<std::size_t>(&run_before(m, *longest) - m.runs.data())];
+  const auto length_here = [&](const SeamRun& run) { return run.panel == panel ? run.length : 0; };
+  const SeamRun& longest =
+      *std::max_element(m.runs.begin(), m.runs.end(),
+                        [&](const SeamRun& a, const SeamRun& b) { return length_here(a) < length_here(b); });
+  SeamRun& after = m.runs[longest.next];
+  SeamRun& before = m.runs[static_cast<std::size_t>(&run_before(m, longest) - m.runs.data())];
   const bool first = before.length < after.length;
   SeamRun& top = first ? before : after;
   const SeamRun& slope = first ? run_before(m, before) : m.runs[after.next];
   const double girth = m.girth[panel];
-  return top.length < kShort * girth && slope.length > kSlope * girth && &slope != longest ? &top : nullptr;
+  return top.length < kShort * girth && slope.length > kSlope * girth && &slope != &longest ? &top : nullptr;
 }
 
 }  // namespace

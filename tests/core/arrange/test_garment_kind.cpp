@@ -112,6 +112,20 @@ TEST(LayOutTrunk, ADeepBackIsBehindWhereNamesSayIt) {
   EXPECT_EQ(layout.face[1], -1);
 }
 
+TEST(GarmentKind, StripsThatMeetAlongOneLongEdgeAreNotSewnAround) {
+  pattern::Pattern bands;
+  for (const char* name : {"p0", "p1"})
+    bands.panels.push_back(test::polygon(name, {{0, 0}, {940, 0}, {940, 30}, {0, 30}}));
+  const auto around = [&] {
+    const mesh::PanelMeshes meshes = mesh::make_panel_meshes(bands, 0.02, {}).value();
+    return arrange::sewn_around(arrange::make_garment_graph(bands, meshes), 0, 1);
+  };
+  bands.seams = {test::seam("middle", {{0, 0}}, {{1, 0}})};
+  EXPECT_FALSE(around()) << "the bands of two fronts";
+  bands.seams.push_back(test::seam("other", {{0, 2}}, {{1, 2}}));
+  EXPECT_TRUE(around()) << "a hose";
+}
+
 TEST(GarmentKind, AHandThatAllNamesTellIsNone) {
   const auto hands = [](std::array<const char*, 3> names) {
     pattern::Pattern pattern = ring_of_two(300);
