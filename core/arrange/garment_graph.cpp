@@ -247,14 +247,18 @@ std::optional<FlatMove> lay_on(const GarmentPiece& from, const GarmentPiece& to,
 
 bool sewn_around(const GarmentGraph& graph, Index piece, Index other) {
   constexpr double kOneSided = 0.4;
-  const Vec2 middle = graph.pieces[static_cast<size_t>(piece)].centroid;
-  // Of a strip, too, one long edge lies on one side.
-  const Vec2 size = bounding_box(graph.pieces[static_cast<size_t>(piece)].outline).size();
+  const GarmentPiece& own = graph.pieces[static_cast<size_t>(piece)];
+  // In parts of its extent along its grain and across: of a strip, too, one long edge lies on one side.
+  const auto along_grain = [&](Vec2 p) { return Vec2{cross(p, own.grain), dot(p, own.grain)}; };
+  std::vector<Vec2> outline;
+  for (const Vec2 p : own.outline) outline.push_back(along_grain(p));
+  const Vec2 size = bounding_box(outline).size();
   Vec2 sum;
   int count = 0;
   for (const GarmentTie& t : graph.ties) {
     if (std::minmax(t.a, t.b) != std::minmax(piece, other)) continue;
-    const Vec2 off = (t.a == piece ? t.at_a : t.at_b) - middle, d{off.x / size.x, off.y / size.y};
+    const Vec2 off = along_grain((t.a == piece ? t.at_a : t.at_b) - own.centroid);
+    const Vec2 d{off.x / size.x, off.y / size.y};
     if (const double l = std::sqrt(d.x * d.x + d.y * d.y); l > 0) {
       sum = sum + d * (1 / l);
       ++count;

@@ -16,7 +16,7 @@ namespace {
 
 /// m that what hangs together may come down by until its parts that are to carry it do.
 constexpr double kSlipped = 0.2;
-constexpr double kFarDown = 0.3;
+constexpr double kFarDown = 0.3;   // m that a front or a back may, whatever carries the rest
 constexpr double kUpperEnd = 0.3;  // m, below the highest place or the neck, whichever is lower
 constexpr double kAtWaist = 0.06;  // m below the waist: what goes around it there is worn, wherever it began
 constexpr double kDropped = 0.01;  // m above the ankles: what lies under that all around has fallen
@@ -60,7 +60,7 @@ std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& g
   DisjointSets parts(tops.size());
   for (const auto& [i, j] : garment.sewn) parts.join(garment.panel_of_vertex[i], garment.panel_of_vertex[j]);
   std::vector<double> began(tops.size(), -HUGE_VAL), least(tops.size(), HUGE_VAL);
-  std::vector<double> fell(tops.size(), 0);
+  std::vector<double> fell(tops.size(), 0);  // farther than kFarDown
   std::vector<char> at_waist(tops.size(), 1);
   for (std::size_t p = 0; p < tops.size(); ++p) {
     double& top = began[parts.root(static_cast<Index>(p))];
@@ -68,9 +68,9 @@ std::vector<std::pair<Index, double>> slipped_parts(const sewing::GarmentMesh& g
   }
   for (std::size_t p = 0; p < tops.size(); ++p) {
     const Index part = parts.root(static_cast<Index>(p));
-    if (tops[p] >= began[part] - kUpperEnd) least[part] = std::min(least[part], tops[p] - tops_now[p]);
-    at_waist[part] = at_waist[part] && covers[p] == Covers::kLegs;
     const double down = tops[p] - tops_now[p];
+    if (tops[p] >= began[part] - kUpperEnd) least[part] = std::min(least[part], down);
+    at_waist[part] = at_waist[part] && covers[p] == Covers::kLegs;
     if (covers[p] == Covers::kTrunk && down > kFarDown) fell[part] = std::max(fell[part], down);
   }
   std::vector<double> highest(tops.size(), -HUGE_VAL);

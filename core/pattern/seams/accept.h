@@ -23,8 +23,8 @@ inline constexpr double kFits = 0.65;
 /// As sewn_together(), but down to kFits; and likely ones of pieces that would be sewn to no part, or not to
 /// the largest, of edges that are sewn in part, and of legs that close in themselves: a seam in doubt is
 /// better than a piece that must be left out, or a sleeve that is set in by half. Proposals of the same edges
-/// are likely together, whichever way each runs. What lies on other cloth (linings, pockets, second layers)
-/// takes no likely one.
+/// are likely together, whichever way each runs. What is sewn last (linings, pockets, second layers,
+/// strangers: strangers.h) takes no likely one.
 std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const SeamProposal> proposals,
                                double least_confidence);
 

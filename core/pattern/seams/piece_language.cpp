@@ -9,6 +9,7 @@
 #include "core/base/latin_letters.h"
 #include "core/base/text.h"
 #include "core/pattern/seams/abbreviations.h"
+#include "core/pattern/seams/parts_of_words.h"
 #include "core/pattern/seams/piece_terms.h"
 
 namespace toile::seams {

@@ -56,7 +56,9 @@ constexpr std::string_view kGerman =
     "tape;kantenband=tape;";
 
 constexpr std::string_view kFrench =
-    "lacet=cord;elastique=elastic;devant=front;dos=back;gauche=left;droit=right;droite=right;cote=side;bord "
+    "bracelet=cuff;parement "
+    "manche=cuff;lacet=cord;elastique=elastic;devant=front;dos=back;gauche=left;droit=right;droite=right;"
+    "cote=side;bord "
     "cote=rib;"
     "manche=sleeve;col=collar;pied col=collar stand;dessous col=undercollar;capuche=hood;"
     "capuchon=hood;poignet=cuff;ceinture=waistband;jupe=skirt;pantalon=pants;jambe=leg;"
@@ -82,7 +84,8 @@ constexpr std::string_view kFrench =
     "interieur=facing;interieure=facing;ruban=tape;";
 
 constexpr std::string_view kSpanishPortuguese =
-    "bajo cuello=undercollar;superior=top;sup=top;inferior=under;inf=under;manga cima=topsleeve;manga "
+    "faixa=band;faixa decote=neckband;faixa cintura=waistband;bajo "
+    "cuello=undercollar;superior=top;sup=top;inferior=under;inf=under;manga cima=topsleeve;manga "
     "baixo=undersleeve;cordon=cord;cordao=cord;elastico=elastic;delant=front;post=back;esp=back;espald=back;"
     "tras=back;pret="
     "waistband;mga=sleeve;cllo=collar;bols=pocket;"
@@ -327,133 +330,46 @@ constexpr std::string_view kCroatianSerbianSlovene =
     "jakna=jacket;kaput=coat;prsluk=vest;render=rib;porub=hem;bok=side;letvica=placket;rasporak=fly;"
     "vratni izrez=neck;rub=hem;";
 
-// Zips and what guards them, loops, welts and tabs: small parts that many names have and few glossaries.
+// What closes a garment and what small parts lie on it, in many names and few glossaries. A zip tells nothing
+// of the piece that has it: "costas ziper" is a back.
 constexpr std::string_view kTrims =
     "zipguard=guard;zipshield=guard;beltloop=loop;beltloops=loop;carrier=loop;carriers=loop;keeper=loop;"
-    "welts=welt;jet=welt;jets=welt;jetting=welt;tabs=tab;epaulette=tab;epaulet=tab;hanger=loop;flaps=flap;"
+    "welts=welt;jet=welt;jets=welt;jetting=welt;tabs=tab;epaulette=tab;epaulet=tab;hanger=loop;"
+    "flaps=flap;"
     // German, Dutch
-    "reissverschluss=fly;rv beleg=facing;rv untertritt=fly;kinnschutz=facing;windschutz=guard;riegel=tab;"
+    "reissverschluss=zip;rv beleg=facing;rv untertritt=fly;kinnschutz=facing;windschutz=guard;riegel=tab;"
     "schulterklappe=tab;aufhanger=loop;schlaufen=loop;gurtelschlaufen=loop;eingriff=facing;paspeln=welt;"
-    "rits=fly;ritsbeleg=facing;lusje=loop;lusjes=loop;lussen=loop;riemlussen=loop;paspel=piping;"
-    "knoopbies=placket;"
+    "rits=zip;ritsbeleg=facing;lusje=loop;lusjes=loop;lussen=loop;riemlussen=loop;knoopbies=placket;"
     // French
-    "bracelet=cuff;fermeture=fly;glissiere=fly;passants=loop;parement manche=cuff;patte epaule=tab;patte "
-    "polo=placket;"
-    "patte=flap;passepoils=welt;coulisse=facing;plaque=facing;"
+    "fermeture=zip;glissiere=zip;passants=loop;patte epaule=tab;patte polo=placket;passepoils=welt;"
+    "coulisse=facing;plaque=facing;"
     // Spanish, Portuguese
-    "cremallera=fly;cierre=fly;guardacierre=guard;tapacierre=guard;botonera=placket;vivo=welt;vivos=welt;"
-    "jareta=facing;charretera=tab;trabillas=loop;presillas=loop;carteras=flap;tapas=flap;ziper=fly;"
-    "fecho=fly;passadores=loop;faixa=band;faixa decote=neckband;faixa "
-    "cintura=waistband;passantes=loop;passadeiras=loop;revel=facing;abas=flap;vista fecho=fly;"
+    "cremallera=zip;cierre=zip;guardacierre=guard;tapacierre=guard;botonera=placket;vivo=welt;vivos=welt;"
+    "jareta=facing;charretera=tab;trabillas=loop;presillas=loop;carteras=flap;tapas=flap;ziper=zip;"
+    "fecho=zip;passadores=loop;passantes=loop;passadeiras=loop;revel=facing;abas=flap;vista fecho=fly;"
     // Italian
-    "cerniera=fly;lampo=fly;coprizip=guard;sottozip=guard;paracerniera=guard;filetti=welt;patelletta=flap;"
-    "mostre=facing;mostrina=facing;fintino=placket;pattine=flap;alamaro=tab;"
+    "cerniera=zip;lampo=zip;coprizip=guard;sottozip=guard;paracerniera=guard;filetti=welt;"
+    "patelletta=flap;mostre=facing;mostrina=facing;fintino=placket;pattine=flap;alamaro=tab;"
     // Polish, Czech
-    "zamek=fly;zamka=fly;oslona=guard;plisa zamka=placket;patki=flap;kieszeniowy=pocket;wypustka=piping;"
+    "zamek=zip;zamka=zip;oslona=guard;plisa zamka=placket;patki=flap;kieszeniowy=pocket;wypustka=piping;"
     "guma=elastic;gumka=elastic;sznurek=cord;tasma=tape;pagon=tab;krytka=guard;poutka=loop;"
-    "vypustka=piping;kapsovina=pocket;legy=placket;patky=flap;zdrhovadlo=fly;"
+    "vypustka=piping;kapsovina=pocket;legy=placket;patky=flap;zdrhovadlo=zip;"
     // Turkish
-    "koprusu=loop;kopruler=loop;fermuar=fly;fermuar pati=fly;fermuar alti=fly;fitil=welt;fleto=welt;"
-    "karsilik=facing;karsiligi=facing;torba=pocket;torbasi=pocket;tela=interlining;telasi=interlining;"
-    "klapa=lapel;kapagi=flap;apolet=tab;brit=loop;dugme pati=placket;ilik pati=placket;pati=placket;"
+    "koprusu=loop;kopruler=loop;fermuar=zip;fermuar pati=fly;fermuar alti=fly;fitil=welt;fleto=welt;"
+    "karsilik=facing;karsiligi=facing;torba=pocket;torbasi=pocket;kapagi=flap;apolet=tab;brit=loop;"
+    "dugme pati=placket;ilik pati=placket;pati=placket;"
     // Swedish, Danish, Norwegian
-    "dragkedja=fly;blixtlas=fly;lynlas=fly;glidelas=fly;hallor=loop;skarphallor=loop;haelder=loop;"
+    "dragkedja=zip;blixtlas=zip;lynlas=zip;glidelas=zip;hallor=loop;skarphallor=loop;haelder=loop;"
     "baeltestrop=loop;beltestropp=loop;beltehemper=loop;hempe=loop;hemper=loop;passpoal=welt;paspol=welt;"
-    "knaphulskant=placket;knappekant=placket;knappestolpe=placket;klaff=flap;lommeklaff=flap;beleg=facing;"
-    "gylp=fly;glidlasskydd=guard;"
+    "knaphulskant=placket;knappekant=placket;knappestolpe=placket;klaff=flap;lommeklaff=flap;gylp=fly;"
+    "glidlasskydd=guard;"
     // Russian
-    "molniya=fly;shlevki=loop;listochki=welt;pata=tab;vetrozashchita=guard;"
+    "molniya=zip;shlevki=loop;listochki=welt;pata=tab;vetrozashchita=guard;"
     // Finnish, Hungarian, Romanian
-    "vetoketju=fly;lenkki=loop;vyolenkki=loop;tere=piping;cipzar=fly;ovbujtato=loop;paszpol=piping;"
-    "fermoar=fly;gaica=loop;gaici=loop;paspoal=piping;"
+    "vetoketju=zip;lenkki=loop;vyolenkki=loop;tere=piping;cipzar=zip;ovbujtato=loop;paszpol=piping;"
+    "fermoar=zip;gaica=loop;gaici=loop;paspoal=piping;"
     // Croatian, Serbian, Slovene
-    "zatvarac=fly;patentni zatvarac=fly;petlja=loop;petlje=loop;lajsna=placket;";
-
-/// Signs of Chinese and Japanese that tell a word wherever they stand, longer ones first.
-constexpr PieceTerm kSigns[] = {
-    {"前身頃", "front"},      {"後身頃", "back"},       {"後ろ身頃", "back"},     {"前中", "front"},
-    {"后中", "back"},         {"前侧", "front side"},   {"后侧", "back side"},    {"前片", "front"},
-    {"后片", "back"},         {"後片", "back"},         {"大袖", "topsleeve"},    {"小袖", "undersleeve"},
-    {"袖口", "cuff"},         {"克夫", "cuff"},         {"介英", "cuff"},         {"鸡英", "cuff"},
-    {"カフス", "cuff"},       {"袖头", "cuff"},         {"领座", "collar stand"}, {"下级领", "collar stand"},
-    {"底领", "collar stand"}, {"領座", "collar stand"}, {"台衿", "collar stand"}, {"领口", "neck"},
-    {"领圈", "neck"},         {"腰头", "waistband"},    {"腰頭", "waistband"},    {"腰带", "belt"},
-    {"ベルト", "waistband"},  {"裤头", "waistband"},    {"裙头", "waistband"},    {"口袋", "pocket"},
-    {"袋布", "pocket"},       {"袋盖", "flap"},         {"ポケット", "pocket"},   {"里布", "lining"},
-    {"裏地", "lining"},       {"挂面", "facing"},       {"貼邊", "facing"},       {"贴边", "facing"},
-    {"見返し", "facing"},     {"门襟", "placket"},      {"門襟", "placket"},      {"里襟", "fly"},
-    {"育克", "yoke"},         {"过肩", "yoke"},         {"担干", "yoke"},         {"ヨーク", "yoke"},
-    {"罗纹", "rib"},          {"リブ", "rib"},          {"下摆", "hem"},          {"下脚", "hem"},
-    {"肩带", "strap"},        {"吊带", "strap"},        {"フード", "hood"},       {"帽", "hood"},
-    {"前", "front"},          {"后", "back"},           {"後", "back"},           {"左", "left"},
-    {"右", "right"},          {"侧", "side"},           {"側", "side"},           {"脇", "side"},
-    {"袖", "sleeve"},         {"领", "collar"},         {"領", "collar"},         {"衿", "collar"},
-    {"腰", "waist"},          {"裙", "skirt"},          {"スカート", "skirt"},    {"裤", "pants"},
-    {"褲", "pants"},          {"パンツ", "pants"},      {"袋", "pocket"},         {"衬", "interlining"},
-    {"朴", "interlining"},    {"芯", "interlining"},    {"贴", "facing"},         {"边", "edge"}};
-
-/// Compounds: what a word of German, Dutch or Swedish begins with …
-constexpr PieceTerm kBeginnings[] = {
-    {"vorder", "front"},   {"voor", "front"},    {"rucken", "back"},   {"hinter", "back"},
-    {"achter", "back"},    {"seiten", "side"},   {"zij", "side"},      {"hals", "neck"},
-    {"saum", "hem"},       {"zoom", "hem"},      {"bauch", "waist"},   {"taillen", "waist"},
-    {"taschen", "pocket"}, {"zak", "pocket"},    {"fram", "front"},    {"bak", "back"},
-    {"sid", "side"},       {"rock", "skirt"},    {"hosen", "pants"},   {"jacken", "jacket"},
-    {"armel", "sleeve"},   {"kragen", "collar"}, {"futter", "lining"}, {"oberteil", "bodice"},
-    {"mieder", "bodice"},  {"blusen", "blouse"}, {"rok", "skirt"},     {"broek", "pants"},
-    {"mouw", "sleeve"},    {"kjol", "skirt"},    {"byx", "pants"}};
-/// … and ends with.
-constexpr PieceTerm kEndings[] = {{"armel", "sleeve"},
-                                  {"kragen", "collar"},
-                                  {"manschette", "cuff"},
-                                  {"bundchen", "rib"},
-                                  {"hosenbund", "waistband"},
-                                  {"rockbund", "waistband"},
-                                  {"taillenbund", "waistband"},
-                                  {"hose", "pants"},
-                                  {"hosenteil", "pants"},
-                                  {"rock", "skirt"},
-                                  {"rockteil", "skirt"},
-                                  {"passe", "yoke"},
-                                  {"trager", "strap"},
-                                  {"tasche", "pocket"},
-                                  {"taschenbeutel", "pocket"},
-                                  {"beleg", "facing"},
-                                  {"besatz", "facing"},
-                                  {"futter", "lining"},
-                                  {"einlage", "interlining"},
-                                  {"schlaufe", "loop"},
-                                  {"leiste", "placket"},
-                                  {"kapuze", "hood"},
-                                  {"kleid", "dress"},
-                                  {"hemd", "shirt"},
-                                  {"bluse", "blouse"},
-                                  {"mantel", "coat"},
-                                  {"jacke", "jacket"},
-                                  {"mouw", "sleeve"},
-                                  {"kraag", "collar"},
-                                  {"broek", "pants"},
-                                  {"pijp", "leg"},
-                                  {"boord", "rib"},
-                                  {"zak", "pocket"},
-                                  {"voering", "lining"},
-                                  {"manchet", "cuff"},
-                                  {"schouderband", "strap"},
-                                  {"ficka", "pocket"},
-                                  {"fickor", "pocket"},
-                                  {"lomme", "pocket"},
-                                  {"krage", "collar"},
-                                  {"foder", "lining"},
-                                  {"infodring", "facing"},
-                                  {"vorderteil", "front"},
-                                  {"hinterteil", "back"},
-                                  {"ruckenteil", "back"},
-                                  {"seitenteil", "side"},
-                                  {"voorpand", "front"},
-                                  {"achterpand", "back"},
-                                  {"zijpand", "side"},
-                                  {"framstycke", "front"},
-                                  {"bakstycke", "back"}};
+    "zatvarac=zip;patentni zatvarac=zip;petlja=loop;petlje=loop;lajsna=placket;";
 
 /// Of all tables in a row; of terms that more than one language has, the first counts.
 std::vector<PieceTerm> terms_in_order() {
@@ -486,9 +402,5 @@ std::optional<std::string_view> english_of(std::string_view term) {
   const auto met = map.find(term);
   return met == map.end() ? std::nullopt : std::optional(met->second);
 }
-
-std::span<const PieceTerm> sign_terms() { return kSigns; }
-std::span<const PieceTerm> beginnings_of_words() { return kBeginnings; }
-std::span<const PieceTerm> endings_of_words() { return kEndings; }
 
 }  // namespace toile::seams

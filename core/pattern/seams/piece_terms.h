@@ -18,11 +18,4 @@ std::optional<std::string_view> english_of(std::string_view term);
 /// All of those words, in no order that means anything.
 std::span<const PieceTerm> all_terms();
 
-/// Signs of Chinese and Japanese (UTF-8), which need no spaces: longer ones come first.
-std::span<const PieceTerm> sign_terms();
-
-/// What compound words begin and end with: "Rückenteil", "borstzak".
-std::span<const PieceTerm> beginnings_of_words();
-std::span<const PieceTerm> endings_of_words();
-
 }  // namespace toile::seams

@@ -157,27 +157,24 @@ void tell_belts(SeamModel& m) {
   }
 }
 
-/// The end at the neck of a sleeve's front or back, where the sleeve has both: the short edge between the one
-/// along the arm, which is the longest, and the slope.
-SeamRun* top_of_half_raglan(SeamModel& m, Index panel) {
+/// Whether the run is the end at the neck of a sleeve's front or back, where the sleeve has both: short,
+/// between the edge along the arm, which is the longest, and the slope; the wrist is at that one's other end.
+bool is_top_of_half_raglan(const SeamModel& m, const SeamRun& run) {
   constexpr double kShort = 0.06, kSlope = 0.1;  // of the outline
-  const PieceWords& words = m.words[panel];
+  const PieceWords& words = m.words[run.panel];
   const bool half = words.kind == PieceKind::kSleeve && words.face != 0 &&
                     std::any_of(m.words.begin(), m.words.end(), [&](const PieceWords& w) {
                       return w.kind == PieceKind::kSleeve && w.face == -words.face;
                     });
-  if (!half) return nullptr;
-  const auto length_here = [&](const SeamRun& run) { return run.panel == panel ? run.length : 0; };
-  const SeamRun& longest =
-      *std::max_element(m.runs.begin(), m.runs.end(),
-                        [&](const SeamRun& a, const SeamRun& b) { return length_here(a) < length_here(b); });
-  SeamRun& after = m.runs[longest.next];
-  SeamRun& before = m.runs[static_cast<std::size_t>(&run_before(m, longest) - m.runs.data())];
-  const bool first = before.length < after.length;
-  SeamRun& top = first ? before : after;
-  const SeamRun& slope = first ? run_before(m, before) : m.runs[after.next];
-  const double girth = m.girth[panel];
-  return top.length < kShort * girth && slope.length > kSlope * girth && &slope != &longest ? &top : nullptr;
+  if (!half || run.length > kShort * m.girth[run.panel]) return false;
+  const SeamRun &before = run_before(m, run), &after = m.runs[run.next];
+  const bool arm_first = before.length > after.length;
+  const SeamRun &arm = arm_first ? before : after, &slope = arm_first ? after : before;
+  const SeamRun& wrist = arm_first ? run_before(m, arm) : m.runs[arm.next];
+  const bool longest = std::none_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& other) {
+    return other.panel == run.panel && other.length > arm.length;
+  });
+  return longest && run.length < wrist.length && slope.length > kSlope * m.girth[run.panel];
 }
 
 }  // namespace
@@ -383,11 +380,7 @@ void find_raglan_sleeves(SeamModel& m) {
                      run.up > kPairWeights.facing && run.length < kPairWeights.crotch * m.girth[run.panel];
     m.raglan = m.raglan || (run.raglan_top && is_raglan_slope(m, run_before(m, run), run) &&
                             is_raglan_slope(m, m.runs[run.next], run));
-  }
-  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) {
-    SeamRun* top = top_of_half_raglan(m, p);
-    if (top == nullptr) continue;
-    top->raglan_top = m.raglan = true;
+    if (is_top_of_half_raglan(m, run)) run.raglan_top = m.raglan = true;
   }
 }
 

@@ -12,11 +12,12 @@ namespace toile::seams {
 /// Turns each sleeve in its armhole so that its highest point, or the notch there, lies at the shoulder; of
 /// two sleeves that are sewn to the wrong arms, so that their fronts would lie at the back, changes the arms.
 /// The sleeve's back seam is the one nearer to its highest point: it ends higher than the front one (Aldrich,
-/// Metric Pattern Cutting for Menswear, the two-piece sleeve).
+/// Metric Pattern Cutting for Menswear, the two-piece sleeve). Where that point is near the middle of its
+/// piece, neither arm is the wrong one.
 ///
 /// `rings` are numbers of proposals whose two sides each run all around. `model` says of each panel what it
-/// is; its runs are not asked. Leaves alone what is no sleeve of two pieces with one head piece that holds
-/// the highest point well off its middle, or no armhole between a front and a back.
+/// is; its runs are not asked. Leaves alone what is no sleeve of two pieces with one that holds the highest
+/// point between its ends, or no armhole between a front and a back.
 void set_in_sleeves(const pattern::Pattern& pattern, const SeamModel& model, const std::vector<Index>& rings,
                     std::vector<SeamProposal>& proposals);
 

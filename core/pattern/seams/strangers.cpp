@@ -8,6 +8,7 @@
 
 #include "core/base/text.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/seams/model.h"
 #include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_terms.h"
 
@@ -28,6 +29,7 @@ bool tells_anything(const std::string& name) {
     std::set<std::string> words;
     for (const PieceTerm& term : all_terms())
       for (std::string& word : words_of_name(term.english)) words.insert(std::move(word));
+    words.erase("zip");  // a piece that has one may be any
     return words;
   }();
   const std::vector<std::string> words = words_of_piece(name);
@@ -39,8 +41,9 @@ bool is_trunk(const PieceWords& w) {
   return !w.layer && (w.kind == kTorso || w.kind == kSkirt || w.kind == kLegs || w.kind == kOther);
 }
 
-}  // namespace
-
+/// Of each panel: whether it is small and neither its name nor its shape tells what it is, beside pieces
+/// whose names tell a front and a back. Such a piece is more likely a trim than a part of the shell, and
+/// among strips lengths agree by chance.
 std::vector<char> find_strangers(const pattern::Pattern& pattern, const SeamModel& m) {
   std::vector<char> strangers(m.words.size(), 0);
   const auto has = [&](int face) {
@@ -57,6 +60,8 @@ std::vector<char> find_strangers(const pattern::Pattern& pattern, const SeamMode
         !is_told(m.words[p]) && area[p] < kSmall * largest && !tells_anything(pattern.panels[p].id);
   return strangers;
 }
+
+}  // namespace
 
 std::vector<char> sewn_last(const pattern::Pattern& pattern) {
   const SeamModel model = make_seam_model(pattern);

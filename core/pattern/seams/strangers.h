@@ -4,17 +4,12 @@
 #include <vector>
 
 #include "core/pattern/pattern.h"
-#include "core/pattern/seams/model.h"
 
 namespace toile::seams {
 
-/// Of each panel: whether it is small and neither its name nor its shape tells what it is, beside pieces
-/// whose names tell a front and a back. Such a piece is more likely a trim than a part of the shell, and
-/// among strips lengths agree by chance.
-std::vector<char> find_strangers(const pattern::Pattern& pattern, const SeamModel& model);
-
-/// Of each panel: whether others are sewn before it: it lies on other cloth (second_layers.h), or is a
-/// stranger. REQUIRES a pattern that validate() accepts.
+/// Of each panel: whether others are sewn before it: it lies on other cloth (second_layers.h), or it is small
+/// and neither its name nor its shape tells what it is, beside pieces whose names tell a front and a back.
+/// REQUIRES a pattern that validate() accepts.
 std::vector<char> sewn_last(const pattern::Pattern& pattern);
 
 }  // namespace toile::seams

@@ -12,6 +12,7 @@
 #include "core/arrange/piece_cover.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "tests/core/arrange/garments.h"
+#include "tests/core/pattern/garments.h"
 
 namespace toile {
 namespace {
@@ -120,10 +121,14 @@ TEST(GarmentKind, StripsThatMeetAlongOneLongEdgeAreNotSewnAround) {
     const mesh::PanelMeshes meshes = mesh::make_panel_meshes(bands, 0.02, {}).value();
     return arrange::sewn_around(arrange::make_garment_graph(bands, meshes), 0, 1);
   };
-  bands.seams = {test::seam("middle", {{0, 0}}, {{1, 0}})};
-  EXPECT_FALSE(around()) << "the bands of two fronts";
-  bands.seams.push_back(test::seam("other", {{0, 2}}, {{1, 2}}));
-  EXPECT_TRUE(around()) << "a hose";
+  for (const bool aslant : {false, true}) {
+    if (aslant)
+      for (pattern::Panel& band : bands.panels) band = garments::turned(band, 0.6);
+    bands.seams = {test::seam("middle", {{0, 0}}, {{1, 0}})};
+    EXPECT_FALSE(around()) << "the bands of two fronts";
+    bands.seams.push_back(test::seam("other", {{0, 2}}, {{1, 2}}));
+    EXPECT_TRUE(around()) << "a hose";
+  }
 }
 
 TEST(GarmentKind, AHandThatAllNamesTellIsNone) {

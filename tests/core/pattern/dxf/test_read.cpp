@@ -213,6 +213,17 @@ TEST(DxfRead, StatementsAreReadInOtherLanguages) {
   EXPECT_EQ(other.pieces[0].quantity, 2);
 }
 
+TEST(DxfRead, ANameAloneIsAPiecesNameToo) {
+  for (const char* key : {"NOME", "Nom", "Name", "Bezeichnung"}) {
+    const std::string piece = block("P01", text({50, 50}, std::string(key) + ": FRENTE") +
+                                               text({50, 60}, "TAM: 40") + rectangle({0, 0}, 300, 400, "1"));
+    const dxf::DxfDrawing d = read(section("BLOCKS", piece) + entities(insert("P01", {0, 0})));
+    ASSERT_EQ(d.pieces.size(), 1u);
+    EXPECT_EQ(d.pieces[0].name, "FRENTE") << key;
+    EXPECT_EQ(d.pieces[0].size, "40");
+  }
+}
+
 TEST(DxfRead, AamaBlocksArePiecesWithTheirNamesGrainAndInserts) {
   const std::string front =
       block("front_M", text({50, 50}, "Piece Name: Front") + text({50, 50}, "Size: M") +

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/pattern/seams/parts_of_words.h"
 #include "core/pattern/seams/piece_language.h"
-#include "core/pattern/seams/piece_terms.h"
 #include "core/pattern/seams/piece_words.h"
 #include "tests/core/pattern/garments.h"
 #include "tests/core/pattern/seams/worn_seams.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/pattern/seams/cuts.h"
 #include "core/pattern/seams/garment_words.h"
 #include "core/pattern/seams/gluing.h"
 #include "core/pattern/seams/kinds.h"
@@ -324,6 +325,18 @@ TEST(ReadyToWear, AYokesEndIsOfTheArmhole) {
     EXPECT_FALSE(seams::never_sewn(m, end, 8 + 8 + 6 + 3)) << "although it begins at the yoke's lower edge";
 }
 
+TEST(ReadyToWear, ACapIsCutAtAYokesEndsAlthoughACollarIsAsLong) {
+  const pattern::Panel front = plain_top("Front", 520), back = plain_top("Back", 600);
+  const double end = 74, armhole = garments::length_of(front, 2), cap = 1.036 * (2 * armhole + end);
+  const pattern::Pattern shirt{
+      {front, back, garments::sleeve("Sleeve", cap), strip("Yoke", 400, end), strip("Collar", cap, 60)}, {}};
+  const seams::SeamModel m =
+      seams::with_likely_cuts(shirt, seams::make_seam_model(shirt), seams::CutKind::kFirstFirst);
+  EXPECT_EQ(std::count_if(m.runs.begin(), m.runs.end(),
+                          [](const seams::SeamRun& run) { return run.panel == 2 && run.edge == 2; }),
+            3);
+}
+
 TEST(ReadyToWear, AShapedWaistbandHangsFromItsShorterEdge) {
   for (const double along : {1.0, -1.0}) {
     pattern::Panel band =
@@ -369,6 +382,14 @@ TEST(ReadyToWear, BandsAndBeltsBySeveralNames) {
   EXPECT_TRUE(seams::is_tied(words[6]));
   EXPECT_FALSE(seams::is_tied(words[7]));
   EXPECT_EQ(seams::words_of("CH77 DEL T42").face, 1) << "before its size";
+}
+
+TEST(ReadyToWear, AZipInANameTellsNothingAndWhatGuardsOneIsATrim) {
+  const seams::PieceWords back = seams::words_of("ZIPER CENTRO COSTAS");
+  EXPECT_TRUE(back.face < 0 && !back.layer);
+  EXPECT_FALSE(seams::words_of("Delantero tela").layer) << "cut of the garment's cloth";
+  for (const char* name : {"OSLONA ZAMKA", "FERMUAR PATI", "KEMER KOPRUSU", "rv beleg"})
+    EXPECT_TRUE(seams::words_of(name).layer) << name;
 }
 
 TEST(ReadyToWear, AStandAloneIsTheNecksAndOneOfButtonsIsNone) {
