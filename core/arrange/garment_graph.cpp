@@ -167,7 +167,8 @@ std::optional<FlatFit> fit_at(const std::vector<Vec2>& points, const GarmentPiec
 }
 
 /// Yokes are of the shoulders by their name; where nothing else covers trunk, arms or neck, and legs or a
-/// skirt are there, they are of these.
+/// skirt are there, they are of these, and where nothing else tells what it covers, their name does not
+/// either.
 void lower_yokes(const std::vector<seams::PieceWords>& words, std::vector<GarmentPiece>& pieces) {
   bool upper = false, lower = false;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -176,9 +177,10 @@ void lower_yokes(const std::vector<seams::PieceWords>& words, std::vector<Garmen
             (c == Cover::kTorso && !words[p].yoke);
     lower = lower || c == Cover::kLeg || c == Cover::kSkirt;
   }
-  if (upper || !lower) return;
+  if (upper) return;
   for (std::size_t p = 0; p < pieces.size(); ++p)
-    if (words[p].yoke && pieces[p].cover == Cover::kTorso) pieces[p].cover = Cover::kSkirt;
+    if (words[p].yoke && pieces[p].cover == Cover::kTorso)
+      pieces[p].cover = lower ? Cover::kSkirt : Cover::kUnknown;
 }
 
 }  // namespace
@@ -220,9 +222,11 @@ GarmentGraph make_garment_graph(const pattern::Pattern& pattern, const mesh::Pan
     }
   }
   find_outsides(parities, graph.pieces);
-  for (const mesh::SewnPart& part : mesh::sewn_parts(meshes))
-    graph.borders.insert(graph.borders.end(), part.borders.begin(), part.borders.end());
-  std::sort(graph.borders.begin(), graph.borders.end(), std::greater<>());
+  const std::vector<mesh::SewnPart> parts = mesh::sewn_parts(meshes);
+  const auto largest =
+      std::max_element(parts.begin(), parts.end(),
+                       [](const mesh::SewnPart& a, const mesh::SewnPart& b) { return a.area < b.area; });
+  if (largest != parts.end()) graph.borders = largest->borders;
   return graph;
 }
 

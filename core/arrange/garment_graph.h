@@ -42,7 +42,7 @@ struct GarmentTie {
 struct GarmentGraph {
   std::vector<GarmentPiece> pieces;
   std::vector<GarmentTie> ties;  ///< darts left out
-  std::vector<double> borders;   ///< of the sewn garment: their lengths, m, longest first
+  std::vector<double> borders;   ///< of the largest part that is sewn together: lengths, m, longest first
 };
 
 /// What pieces cover only by their names: cover_unnamed() (garment_kind.h) tells the rest.

@@ -4,6 +4,7 @@
 
 #include "core/arrange/piece_cover.h"
 #include "core/geometry/polygon2.h"
+#include "core/pattern/seams/piece_words.h"
 
 namespace toile::arrange {
 
@@ -21,7 +22,8 @@ constexpr double kLongerThanNeck = 0.9;  ///< m
 /// What the names tell of all pieces without a name; kUnknown where they tell nothing.
 Cover cover_by_names(const GarmentGraph& graph, const std::vector<std::string>& absent) {
   bool any[9] = {};
-  for (const std::string& name : absent) any[static_cast<int>(cover_of_name(name))] = true;
+  for (const std::string& name : absent)  // a yoke may be the hips'
+    if (!seams::words_of(name).yoke) any[static_cast<int>(cover_of_name(name))] = true;
   for (const GarmentPiece& p : graph.pieces) any[static_cast<int>(p.cover)] = true;
   const auto has = [&](Cover c) { return any[static_cast<int>(c)]; };
   if (has(Cover::kTorso) || has(Cover::kSleeve) || has(Cover::kCollar) || has(Cover::kHood))

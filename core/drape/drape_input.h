@@ -20,7 +20,7 @@ namespace toile::drape {
 /// A piece that nothing holds on, or that could not be put on.
 struct LeftOut {
   std::string id;
-  bool layer = false;  ///< by its name a lining, facing or pocket: the garment is whole without it
+  bool layer = false;  ///< a lining, facing, pocket or small trim: the garment is whole without it
   Vec3 place;          ///< m, its middle where it stands
   bool tried = false;  ///< with it, no way to put the garment on was certified
   bool tied = false;   ///< by its name a belt or a tie, which would be knotted: whole without it as well

@@ -1,6 +1,7 @@
 #include "core/drape/worn_part.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -10,8 +11,10 @@
 #include "core/dressing/person.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "core/mesh/sewn_part.h"
+#include "core/pattern/curve.h"
 #include "core/pattern/seams/garment_words.h"
 #include "core/pattern/seams/piece_words.h"
+#include "core/pattern/seams/strangers.h"
 #include "core/sewing/assembly.h"
 
 namespace toile::drape {
@@ -19,6 +22,7 @@ namespace {
 
 constexpr double kEnoughForBorders = 0.03;  // m; enough to tell how many borders a part has
 constexpr double kTrifle = 0.03;            // of the largest part's area: a pocket sewn to itself
+constexpr double kTrim = 0.02;              // of all cloth: a loop or a tab, smaller than a collar or a cuff
 
 /// Whether all panels hang together by seams, without looking at any mesh.
 bool all_sewn(const pattern::Pattern& pattern) {
@@ -108,6 +112,19 @@ class Renumbering {
   std::vector<Index> now_;
 };
 
+/// Of each panel whether the garment is whole without it: what lies on other cloth, and small pieces of which
+/// nothing tells what they are.
+std::vector<char> only_trims(const pattern::Pattern& pattern) {
+  std::vector<char> trims = seams::sewn_last(pattern);
+  const std::vector<seams::PieceWords> words = seams::garment_words(pattern);
+  double cloth = 0;  // mm²
+  for (const pattern::Panel& panel : pattern.panels) cloth += std::abs(pattern::signed_area(panel.outline));
+  for (std::size_t p = 0; p < trims.size(); ++p)
+    trims[p] = words[p].layer ||
+               (trims[p] && std::abs(pattern::signed_area(pattern.panels[p].outline)) < kTrim * cloth);
+  return trims;
+}
+
 void renumber(const Renumbering& now, std::vector<pattern::Seam>& seams) {
   std::erase_if(seams, [&](pattern::Seam& seam) {
     bool stays = true;
@@ -146,10 +163,11 @@ DrapeInput with_panels(const DrapeInput& input, const std::vector<Index>& kept) 
   some.attachments = now.those_of_panels(std::move(some.attachments));
   renumber(now, some.notions);
   const std::vector<seams::PieceWords> words = seams::garment_words(input.pattern);
+  const std::vector<char> trims = only_trims(input.pattern);
   for (std::size_t p = 0; p < input.pattern.panels.size(); ++p) {
     if (std::binary_search(kept.begin(), kept.end(), static_cast<Index>(p))) continue;
     const std::string& id = input.pattern.panels[p].id;
-    some.left_out.push_back({id, words[p].layer, {}, false, seams::is_tied(words[p])});
+    some.left_out.push_back({id, trims[p] != 0, {}, false, seams::is_tied(words[p])});
   }
   return some;
 }

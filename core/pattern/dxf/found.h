@@ -31,6 +31,10 @@ struct DxfFound {
   std::vector<std::size_t> entities;  ///< those of its outline
   std::vector<DxfTitle> titles = {};  ///< words that stand in it or beside it, the likeliest first
   DxfToldFold fold = {};
+  std::vector<Vec2> half = {};  ///< mm, its outline before it was unfolded; empty where it was not
+
+  /// What of it stands in the drawing.
+  const std::vector<Vec2>& drawn() const { return half.empty() ? piece.outline : half; }
 };
 
 /// A piece among the loops that it was made from; these outlive it.

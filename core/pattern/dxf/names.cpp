@@ -18,13 +18,12 @@ namespace {
 
 /// Distance from the outline, 0 inside; nothing when the text stands too far beside the piece to belong to
 /// it.
-std::optional<double> nearness(const DxfPiece& piece, const Aabb2& box, Vec2 at, double reach) {
+std::optional<double> nearness(const std::vector<Vec2>& outline, const Aabb2& box, Vec2 at, double reach) {
   if (!box.grown(reach).contains(at)) return std::nullopt;
-  if (geometry::contains(piece.outline, at)) return 0.0;
-  double nearest = length(piece.outline[0] - at);
-  for (std::size_t i = 0, n = piece.outline.size(); i < n; ++i)
-    nearest =
-        std::min(nearest, geometry::distance_to_segment(at, piece.outline[i], piece.outline[(i + 1) % n]));
+  if (geometry::contains(outline, at)) return 0.0;
+  double nearest = length(outline[0] - at);
+  for (std::size_t i = 0, n = outline.size(); i < n; ++i)
+    nearest = std::min(nearest, geometry::distance_to_segment(at, outline[i], outline[(i + 1) % n]));
   return nearest;
 }
 
@@ -142,7 +141,7 @@ Title title_of(const DxfText& text, const std::optional<DxfStatement>& statement
               text.entity};
   title.brief = words_of_name(title.name).size() <= kBrief;
   title.named = is_word(title.name) && !is_lost(title.name) && !tells_only_quantity(title.name) &&
-                !tells_only_fold(title.name);
+                !is_cutting_order(title.name) && !tells_only_fold(title.name);
   return title;
 }
 
@@ -163,10 +162,23 @@ std::optional<Nearest> nearest_piece(const std::vector<DxfFound>& pieces, const 
                                      Vec2 at, double reach) {
   std::optional<Nearest> nearest;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::optional<double> off = nearness(pieces[i].piece, boxes[i], at, reach);
+    const std::optional<double> off = nearness(pieces[i].drawn(), boxes[i], at, reach);
     if (off && (!nearest || *off < nearest->off)) nearest = Nearest{i, *off};
   }
   return nearest;
+}
+
+/// The piece that the text begins in, else the one that its middle lies in, as of a title that is wider than
+/// its strip, else the nearest to where it begins.
+std::optional<Nearest> piece_of_text(const std::vector<DxfFound>& pieces, const std::vector<Aabb2>& boxes,
+                                     const DxfText& text, const DxfTransform& to_mm) {
+  constexpr double kWide = 0.7;  // times the height, a letter
+  const double reach = reach_of(length(to_mm.turned({0, text.height})));
+  const std::optional<Nearest> first = nearest_piece(pieces, boxes, to_mm(text.at), reach);
+  if (first && first->off == 0) return first;
+  const double half = 0.5 * kWide * text.height * static_cast<double>(text.text.size());
+  const std::optional<Nearest> middle = nearest_piece(pieces, boxes, to_mm(text.at + Vec2{half, 0}), reach);
+  return middle && middle->off == 0 ? middle : first;
 }
 
 }  // namespace
@@ -200,7 +212,7 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
   constexpr std::size_t kMostTexts = 5000;  // bounds the work on files of nothing but text
   DxfNamed named{std::move(pieces), {}};
   std::vector<Aabb2> boxes;
-  for (const DxfFound& p : named.pieces) boxes.push_back(bounding_box(p.piece.outline));
+  for (const DxfFound& p : named.pieces) boxes.push_back(bounding_box(p.drawn()));
   std::vector<std::vector<Title>> titles(named.pieces.size());
   for (std::size_t t = 0; t < texts.size(); ++t) {
     const DxfText& text = texts[t];
@@ -209,9 +221,7 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
     named.notes.mark(text.entity, DxfFate::kDropped,
                      statement ? "says nothing of a piece's shape" : "a label");
     if (t >= kMostTexts) continue;
-    const double height = length(to_mm.turned({0, text.height}));
-    const std::optional<Nearest> nearest =
-        nearest_piece(named.pieces, boxes, to_mm(text.at), reach_of(height));
+    const std::optional<Nearest> nearest = piece_of_text(named.pieces, boxes, text, to_mm);
     if (!nearest) continue;
     Title title = title_of(text, statement);
     title.off = nearest->off;
@@ -223,7 +233,7 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
       continue;
     }
     if (const auto quantity = told_quantity(text.text);
-        quantity && !found.piece.counted && tells_only_quantity(text.text)) {
+        quantity && !found.piece.counted && (tells_only_quantity(text.text) || is_cutting_order(text.text))) {
       count(found.piece, *quantity);
       named.notes.mark(text.entity, DxfFate::kConverted, "quantity", found.id);
     }

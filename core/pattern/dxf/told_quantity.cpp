@@ -133,6 +133,11 @@ bool tells_only_quantity(std::string_view text) {
   });
 }
 
+bool is_cutting_order(std::string_view text) {
+  const std::vector<Token> tokens = tokens_of(text);
+  return tokens.size() > 1 && begins_one(kCutWords, tokens[0].text) && tokens[1].is_figure();
+}
+
 bool is_fold_word(std::string_view word) { return is_among(kFoldWords, word); }
 bool is_beside_word(std::string_view word) { return is_among(kBesideWords, word); }
 

@@ -16,6 +16,10 @@ std::optional<DxfQuantity> told_quantity(std::string_view text);
 /// Whether that is all that the text tells: it is no piece's name.
 bool tells_only_quantity(std::string_view text);
 
+/// Whether the text begins with how often the piece is cut, whatever it says of that: "TAGLIARE 2 (DX+SX)",
+/// "cut 2 fabric + 2 fusible".
+bool is_cutting_order(std::string_view text);
+
 /// Whether the word (small Latin letters) is one for a fold of cloth.
 bool is_fold_word(std::string_view word);
 

@@ -80,7 +80,8 @@ void unfold_about(const DxfChain& line, const FoldAxis& axis, DxfFound& owner, D
           "the mirror line runs through the piece, and not through its middle: the piece is taken as it "
           "is drawn, not unfolded",
           owner.id, axis.at);
-  } else if (unfold_piece(owner.piece, axis)) {
+  } else if (std::vector<Vec2> half = owner.piece.outline; unfold_piece(owner.piece, axis)) {
+    if (owner.half.empty()) owner.half = std::move(half);
     tell(notes, line, DxfFate::kConverted, "the piece is unfolded about it", owner.id);
   } else {
     tell(notes, line, DxfFate::kDropped, "a mirror line that does not run along the outline", owner.id);

@@ -75,10 +75,12 @@ std::optional<std::string_view> only_one(const std::vector<std::string_view>& me
 
 }  // namespace
 
+bool is_common_word(std::string_view word) { return is_of(word, kTrade) || is_of(word, kOther); }
+
 std::optional<std::string_view> spelled_out(std::string_view word) {
   constexpr std::size_t kLeastWord = 3, kLeastTerm = 5;
   constexpr double kEnglishShare = 0.4, kShare = 0.55;  // of the term's letters: many are foreign
-  if (word.size() < kLeastWord || is_of(word, kTrade) || is_of(word, kOther)) return std::nullopt;
+  if (word.size() < kLeastWord || is_common_word(word)) return std::nullopt;
   std::vector<std::string_view> english, all;
   for (const std::string_view term : kTrade)
     if (shortens(word, term, kEnglishShare)) english.push_back(term);

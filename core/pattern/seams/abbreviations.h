@@ -12,4 +12,7 @@ namespace toile::seams {
 /// them.
 std::optional<std::string_view> spelled_out(std::string_view word);
 
+/// Whether names of pieces in English have the word: of a piece, or of sizes, cloth, what is done with it.
+bool is_common_word(std::string_view word);
+
 }  // namespace toile::seams

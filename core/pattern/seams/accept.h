@@ -20,11 +20,15 @@ inline constexpr double kLikely = 0.5;
 /// often than not nothing else fits there.
 inline constexpr double kFits = 0.65;
 
+/// What closes a sleeve that is set in: hardly any garment has one that is open along the arm.
+inline constexpr double kClosesTube = 0.25;
+
 /// As sewn_together(), but down to kFits; and likely ones of pieces that would be sewn to no part, or not to
-/// the largest, of edges that are sewn in part, and of legs that close in themselves: a seam in doubt is
-/// better than a piece that must be left out, or a sleeve that is set in by half. Proposals of the same edges
-/// are likely together, whichever way each runs. What is sewn last (linings, pockets, second layers,
-/// strangers: strangers.h) takes no likely one.
+/// the largest, of edges that are sewn in part, and of legs that close in themselves, and less likely ones
+/// that close what is set in all around (kClosesTube): a seam in doubt is better than a piece that must be
+/// left out, or a sleeve that is set in by half. Proposals of the same edges are likely together, whichever
+/// way each runs. What is sewn last (linings, pockets, second layers, strangers: strangers.h) takes none
+/// below `least_confidence`.
 std::vector<bool> sewn_to_wear(const pattern::Pattern& pattern, std::span<const SeamProposal> proposals,
                                double least_confidence);
 

@@ -59,8 +59,10 @@ bool is_off_neck(const SeamModel& m, const SeamRun& run) {
   const bool parted_front = words.face >= 0 && m.twin[run.panel] != run.panel;
   constexpr double kShort = 40;  // mm: so short a part of a neck is as straight as a shoulder
   const bool whole = run.from == 0 && run.to == 1;
+  const bool of_hollow = !whole && run.line_turn < kPairWeights.neck_deg;
   return hem || is_below_yoke(m, run) || from_side(m, run) < -kPairWeights.off_neck ||
-         ((whole || run.length > kShort) && is_shoulder(m, run)) || (!parted_front && begins_at_hem(m, run));
+         ((whole || run.length > kShort) && !of_hollow && is_shoulder(m, run)) ||
+         (!parted_front && begins_at_hem(m, run));
 }
 
 /// Whether the runs are of a bodice and of a collar that sits on a stand, which goes around the neck: only

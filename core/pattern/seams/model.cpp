@@ -14,6 +14,7 @@
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/named_by_shape.h"
+#include "core/pattern/seams/named_layers.h"
 #include "core/pattern/seams/named_strips.h"
 #include "core/pattern/seams/piece_up.h"
 #include "core/pattern/seams/roles.h"
@@ -283,6 +284,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   model.girth.assign(pattern.panels.size(), 0);
   for (const SeamRun& run : model.runs) model.girth[run.panel] += run.length;
   find_layers_by_cloth(pattern, model);
+  find_named_layers(pattern, model);
   find_second_layers(pattern, model);
   name_trunk(model);
   name_hem_bands(model);

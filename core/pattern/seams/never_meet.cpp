@@ -87,6 +87,15 @@ bool closes_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
          a.mirror_edge == b.edge;
 }
 
+/// Whether the fall of a collar on a stand would be closed to a ring: its ends lie open on the chest.
+bool closes_fall(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
+  const auto is_collar = [](const PieceWords& w) { return w.kind == PieceKind::kCollar && !w.layer; };
+  const PieceWords& words = m.words[a.panel];
+  return a.panel == b.panel && is_collar(words) && !words.stand &&
+         std::any_of(m.words.begin(), m.words.end(),
+                     [&](const PieceWords& w) { return is_collar(w) && w.stand; });
+}
+
 /// Whether a part of a skirt would be closed to a cone by its sides, although there is another one alike:
 /// they are sewn to each other.
 bool closes_gore(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
@@ -140,9 +149,9 @@ bool meets_at_side_of_yoke(const SeamModel& m, const SeamRun& a, const SeamRun& 
 
 bool never_meet(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
   if (are_of_two_cuffs(m, a, b) || is_too_tight(m, a, b) || closes_half_band(m, a, b) ||
-      closes_yoke(m, a, b) || closes_gore(m, a, b) || meets_at_side_of_yoke(m, a, b) ||
-      are_one_part_of_sleeve(m, a, b) || is_off_belt(m, a, b) || is_off_belt(m, b, a) ||
-      misses_round_stand(m, a, b))
+      closes_yoke(m, a, b) || closes_gore(m, a, b) || closes_fall(m, a, b) ||
+      meets_at_side_of_yoke(m, a, b) || are_one_part_of_sleeve(m, a, b) || is_off_belt(m, a, b) ||
+      is_off_belt(m, b, a) || misses_round_stand(m, a, b))
     return true;
   if (m.words[a.panel].bib && m.words[b.panel].bib && (a.panel == b.panel || m.twin[a.panel] != b.panel))
     return true;

@@ -5,12 +5,15 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "core/base/latin_letters.h"
 #include "core/base/text.h"
 #include "core/pattern/seams/abbreviations.h"
 #include "core/pattern/seams/parts_of_words.h"
 #include "core/pattern/seams/piece_terms.h"
+#include "core/pattern/seams/word_stems.h"
 
 namespace toile::seams {
 namespace {
@@ -76,15 +79,16 @@ std::string without_transcriptions(std::string_view word) {
   return out;
 }
 
-/// Empty where neither the word nor parts of it are known, and it shortens none: more parts are more likely
-/// what is meant.
+/// Empty where neither the word nor parts of it are known, it shortens none and is no form of one: more parts
+/// are more likely what is meant.
 std::string english_word(const std::string& word) {
   const std::string plain = without_transcriptions(word);
   for (const std::string& spelled : {word, plain})
     if (const auto told = english_of(spelled)) return std::string(*told);
   const std::string parts = english_parts(word), plain_parts = english_parts(plain);
   if (!parts.empty() || !plain_parts.empty()) return plain_parts.size() > parts.size() ? plain_parts : parts;
-  return std::string(spelled_out(plain).value_or(""));
+  if (const auto told = spelled_out(plain)) return std::string(*told);
+  return is_common_word(plain) ? "" : std::string(english_by_stem(plain).value_or(""));
 }
 
 /// "Del" is a front (delantero) and "die" a back (dietro) where no word follows that an article could belong
@@ -132,6 +136,16 @@ std::vector<std::string> words_of_piece(std::string_view name) {
     english += " " + (told.empty() ? words[k] : told);
   }
   return words_of_name(english);
+}
+
+bool tells_part(const std::string& word) {
+  static const std::set<std::string> known = [] {
+    std::set<std::string> words;
+    for (const PieceTerm& term : all_terms())
+      for (std::string& w : words_of_name(term.english)) words.insert(std::move(w));
+    return words;
+  }();
+  return known.contains(word);
 }
 
 bool tell_both_faces(const std::vector<std::string>& words) {

@@ -13,6 +13,9 @@ namespace toile::seams {
 /// Articles are left out; words that are not known stay.
 std::vector<std::string> words_of_piece(std::string_view name);
 
+/// Whether such a word is the trade's, of a part of a garment in whatever language it stood.
+bool tells_part(const std::string& word);
+
 /// Whether such words tell of a piece that is cut once for each face of the body: "SKIRT FRONT / BACK".
 bool tell_both_faces(const std::vector<std::string>& words);
 

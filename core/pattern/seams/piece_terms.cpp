@@ -254,7 +254,8 @@ constexpr std::string_view kCzechSlovak =
     "kalhot=pants;nohavica=leg;nohavic=leg;nohavicka=leg;kapsy=pocket;kapsicka=pocket;vacek=pocket;"
     "vrecka=pocket;klopa=lapel;lega=placket;rozparek=fly;sedla=yoke;raminka=strap;ramienko=strap;"
     "ramienka=strap;kanyr=ruffle;lemovka=binding;lemovani=binding;prukrcnik=neck;vystrih=neck;"
-    "vyztuha=interlining;vystuha=interlining;vlozka=interlining;tricko=tshirt;mikina=sweatshirt;"
+    "vyztuha=interlining;vyztuz=interlining;vystuz=interlining;vystuha=interlining;vlozka=interlining;tricko="
+    "tshirt;mikina=sweatshirt;"
     "halenka=blouse;bunda=jacket;kabat=coat;vesta=vest;sako=jacket;poutko=loop;putko=loop;opasek=belt;"
     "opasok=belt;naplet krk=neckband;naplet krku=neckband;naplet rukav=cuff;naplet rukavu=cuff;"
     "manzety=cuff;manzetka=cuff;leginy=leggings;tilko=tshirt;sukni=skirt;sukne predni=front skirt;"
@@ -330,6 +331,60 @@ constexpr std::string_view kCroatianSerbianSlovene =
     "jakna=jacket;kaput=coat;prsluk=vest;render=rib;porub=hem;bok=side;letvica=placket;rasporak=fly;"
     "vratni izrez=neck;rub=hem;";
 
+// Vietnamese, Indonesian and Malay, and Chinese in Latin letters. Words of two letters stand with another.
+constexpr std::string_view kEastAsian =
+    "than truoc=front;than sau=back;truoc=front;ben trai=left;ben phai=right;tay ao=sleeve;tay lon=topsleeve;"
+    "tay nho=undersleeve;mang tay=sleeve;mang lon=topsleeve;mang nho=undersleeve;co ao=collar;la co=collar;"
+    "chan co=collar stand;bo co=neckband;vien co=neckband;bo tay=cuff;bo lai=hem rib;bo lung=waistband;"
+    "cua tay=cuff;day vien=tape;day vien co=tape;tui nguc=pocket;tui hong=pocket;tui sau=pocket;tui=pocket;"
+    "lot tui=pocket;nap tui=flap;mieng tui=flap;coi tui=welt;vai lot=lining;keo "
+    "lot=fusible;keo=fusible;"
+    "mex=interlining;dung=interlining;nep=placket;nep ao=placket;nep khuy=placket;nep nut=placket;"
+    "cau vai=yoke;do vai=yoke;de cup=side;suon=side;chan vay=skirt;vay=skirt;vay truoc=front skirt;"
+    "vay sau=back skirt;than quan=leg;quan truoc=front pants;quan sau=back pants;quan=pants;lung "
+    "quan=waistband;"
+    "cap quan=waistband;day keo=zip;khoa keo=zip;baget=fly;paget=fly;doi=loop;con dia=loop;mu trum=hood;"
+    "non ao=hood;beo=ruffle;day ao=strap;quai=strap;that lung=belt;day lung=belt;"
+    "depan=front;muka=front;badan depan=front;badan muka=front;belakang=back;badan belakang=back;kiri=left;"
+    "kanan=right;lengan=sleeve;kerah=collar;kaki kerah=collar stand;daun kerah=collar;ban lengan=cuff;"
+    "ban pinggang=waistband;ban leher=neckband;rib leher=neckband;leher=neck;celana=pants;saku=pocket;"
+    "kantong=pocket;kantung=pocket;tutup "
+    "saku=flap;furing=lining;vuring=lining;puring=lining;viselin=interlining;"
+    "pelapis=lining;lapisan=lining;rompok=binding;bisban=binding;golbi=fly;gulbi=fly;belahan=placket;"
+    "bahu=shoulder;pas bahu=yoke;tudung=hood;resleting=zip;ikat pinggang=belt;kemeja=shirt;gaun=dress;"
+    "rompi=vest;ploi=pleat;"
+    "qianpian=front;qian pian=front;houpian=back;hou pian=back;xiuzi=sleeve;xiupian=sleeve;xiu pian=sleeve;"
+    "da xiu=topsleeve;xiao xiu=undersleeve;lingzi=collar;xialing=collar stand;xia ling=collar stand;"
+    "xiukou=cuff;xiu kou=cuff;yaotou=waistband;yao tou=waistband;koudai=pocket;maozi=hood;menjin=placket;"
+    "men jin=placket;libu=lining;kuzi=pants;qunzi=skirt;guojian=yoke;";
+
+// Greek and Bulgarian as they are written in Latin letters, Lithuanian, Latvian, Estonian, Catalan,
+// Icelandic.
+constexpr std::string_view kFartherEuropean =
+    "empros=front;mprosta=front;mprostino=front;brosta=front;brostino=front;piso=back;pisw=back;plati=back;"
+    "aristero=left;aristera=left;dexi=right;dexia=right;manikia=sleeve;maniki=sleeve;giakas=collar;"
+    "yiakas=collar;kolaro=collar stand;manseta=cuff;zonari=waistband;zoni=waistband;fousta=skirt;"
+    "panteloni=pants;tsepi=pocket;tsepes=pocket;fodra=lining;kanavatso=interlining;patileta=placket;"
+    "koukoula=hood;nomitis=yoke;"
+    "predna=front;predna chast=front;grab=back;garb=back;zadna chast=back;rakav=sleeve;rakavi=sleeve;"
+    "manshet=cuff;kolan=waistband;dzhob=pocket;podplata=lining;podlepka=fusible;kachulka=hood;platka=yoke;"
+    "lyavo=left;dyasno=right;"
+    "priekis=front;priekine=front;priekines=front;nugara=back;nugarele=back;nugaros=back;uzpakalis=back;"
+    "uzpakaline=back;rankove=sleeve;rankoves=sleeve;apykakle=collar;rankogalis=cuff;rankogaliai=cuff;"
+    "juosmuo=waistband;juosmens=waistband;sijonas=skirt;sijono=skirt;kelnes=pants;kelniu=pants;kisene=pocket;"
+    "pamusalas=lining;kaire=left;desine=right;gobtuvas=hood;"
+    "prieksa=front;priekspuse=front;priekseja=front;prieksdala=front;mugura=back;mugurpuse=back;"
+    "muguras=back;aizmugure=back;piedurkne=sleeve;piedurknes=sleeve;apkakle=collar;aproce=cuff;josta="
+    "waistband;"
+    "svarki=skirt;bikses=pants;biksu=pants;kabata=pocket;odere=lining;kreisa=left;"
+    "esiosa=front;esitukk=front;esiholm=front;seljaosa=back;seljatukk=back;selg=back;varrukas=sleeve;"
+    "varruka=sleeve;krae=collar;mansett=cuff;varvel=waistband;seelik=skirt;seeliku=skirt;puksid=pants;"
+    "vooder=lining;kapuuts=hood;vasak=left;parem=right;"
+    "davanter=front;davant=front;esquena=back;darrere=back;esquerra=left;dreta=right;maniga=sleeve;"
+    "manigues=sleeve;puny=cuff;faldilla=skirt;pantalo=pants;butxaca=pocket;folre=lining;caputxa=hood;"
+    "tapeta=placket;"
+    "framstykki=front;bakstykki=back;ermi=sleeve;kragi=collar;";
+
 // What closes a garment and what small parts lie on it, in many names and few glossaries. A zip tells nothing
 // of the piece that has it: "costas ziper" is a back.
 constexpr std::string_view kTrims =
@@ -374,9 +429,10 @@ constexpr std::string_view kTrims =
 /// Of all tables in a row; of terms that more than one language has, the first counts.
 std::vector<PieceTerm> terms_in_order() {
   std::vector<PieceTerm> terms;
-  for (std::string_view table : {kShortened, kGerman, kFrench, kSpanishPortuguese, kItalian, kDutch, kPolish,
-                                 kTurkish, kSwedishDanishNorwegian, kCzechSlovak, kRussianUkrainian,
-                                 kFinnishHungarianRomanian, kCroatianSerbianSlovene, kTrims}) {
+  for (std::string_view table :
+       {kShortened, kGerman, kFrench, kSpanishPortuguese, kItalian, kDutch, kPolish, kTurkish,
+        kSwedishDanishNorwegian, kCzechSlovak, kRussianUkrainian, kFinnishHungarianRomanian,
+        kCroatianSerbianSlovene, kEastAsian, kFartherEuropean, kTrims}) {
     while (!table.empty()) {
       const std::size_t end = table.find(';'), equals = table.find('=');
       terms.push_back({table.substr(0, equals), table.substr(equals + 1, end - equals - 1)});

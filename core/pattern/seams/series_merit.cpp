@@ -87,12 +87,14 @@ bool rounds_collar_point(const SeamModel& m, const Chain& chain) {
   return false;
 }
 
-/// A collar lies as much to the left as to the right around the neck.
+/// A collar lies as much to the left as to the right around the neck, and so does a hood of several pieces.
 bool is_collar_on_neck(const SeamModel& m, const Chain& collar, const Chain& neck) {
   const bool fits = std::abs(collar.length - neck.length) < kSeriesWeights.collar_fits * neck.length;
-  return fits && collar.runs.size() == 1 && is_of(m, collar, PieceKind::kCollar) &&
-         is_of(m, neck, PieceKind::kTorso) && leads_around(m, neck) && is_symmetric(m, collar) &&
-         is_symmetric(m, neck);
+  const bool one = collar.runs.size() == 1 && is_of(m, collar, PieceKind::kCollar);
+  const bool hood = collar.runs.size() > 2 && is_of(m, collar, PieceKind::kHood) &&
+                    m.words[m.runs[neck.runs.front()].panel].face > 0;  // its face lies in front
+  return fits && (one || hood) && is_of(m, neck, PieceKind::kTorso) && leads_around(m, neck) &&
+         is_symmetric(m, collar) && is_symmetric(m, neck);
 }
 
 /// The least that lengths say where one chain is a neckband and the other a neck: bands of rib are stretched

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
-#include <utility>
 
-#include "core/base/text.h"
 #include "core/pattern/curve.h"
 #include "core/pattern/seams/model.h"
 #include "core/pattern/seams/piece_language.h"
-#include "core/pattern/seams/piece_terms.h"
 
 namespace toile::seams {
 namespace {
@@ -23,17 +19,11 @@ bool is_told(const PieceWords& w) {
 }
 
 /// Whether a word of the name is one of garments' parts, although it does not say which: a "button band" is
-/// known, but not to be of a front.
+/// known, but not to be of a front. A piece that has a zip may be any.
 bool tells_anything(const std::string& name) {
-  static const std::set<std::string> known = [] {
-    std::set<std::string> words;
-    for (const PieceTerm& term : all_terms())
-      for (std::string& word : words_of_name(term.english)) words.insert(std::move(word));
-    words.erase("zip");  // a piece that has one may be any
-    return words;
-  }();
   const std::vector<std::string> words = words_of_piece(name);
-  return std::any_of(words.begin(), words.end(), [](const std::string& w) { return known.contains(w); });
+  return std::any_of(words.begin(), words.end(),
+                     [](const std::string& w) { return w != "zip" && tells_part(w); });
 }
 
 bool is_trunk(const PieceWords& w) {

@@ -146,5 +146,17 @@ TEST(GarmentKind, AHandThatAllNamesTellIsNone) {
   EXPECT_EQ(hands({"Front", "Back", "Sleeve_L"}), (std::array<int, 3>{0, 0, 1}));
 }
 
+TEST(GarmentKind, AYokeMayBeTheHips) {
+  pattern::Pattern pattern = ring_of_two(720);
+  pattern.panels[0].id = "yoke_p0";
+  EXPECT_EQ(cover_of(pattern), Cover::kSkirt) << "its borders tell";
+  const mesh::PanelMeshes meshes = mesh::make_panel_meshes(pattern, 0.02, {}).value();
+  arrange::GarmentGraph graph = arrange::make_garment_graph(pattern, meshes);
+  arrange::cover_unnamed(graph, {"yoke interlining"}, kWaist);
+  EXPECT_EQ(graph.pieces[0].cover, Cover::kSkirt) << "nor does one that is left out make it a top";
+  pattern.panels[1].id = "bodice";
+  EXPECT_EQ(cover_of(pattern), Cover::kTorso);
+}
+
 }  // namespace
 }  // namespace toile

@@ -137,5 +137,16 @@ TEST(WornPart, WhatWasLeftOutIsTold) {
   EXPECT_EQ(told, (std::vector<std::string>{"strap", "pocket"})) << "the strap is missed, the pocket is not";
 }
 
+TEST(WornPart, ASmallTrimOfWhichNothingTellsIsNotMissing) {
+  drape::DrapeInput input = test::heap_of(test::shirt());
+  input.pattern.panels.push_back(test::polygon("Zwirbel", {{0, 0}, {60, 0}, {60, 20}, {0, 20}}));
+  input.fabric_of_panel.push_back(0);
+  input.placements.emplace_back(sewing::RigidPlacement{{1, 1, 0}, {}, {}});
+  ASSERT_EQ(drape::worn_part(input).left_out.size(), 1U);
+  EXPECT_TRUE(drape::worn_part(input).left_out[0].layer);
+  input.pattern.panels.back() = test::polygon("Zwirbel", {{0, 0}, {300, 0}, {300, 100}, {0, 100}});
+  EXPECT_FALSE(drape::worn_part(input).left_out[0].layer) << "as large as a collar";
+}
+
 }  // namespace
 }  // namespace toile

@@ -127,5 +127,41 @@ TEST(DxfQuantities, StatementsOfOtherLanguagesAreRead) {
   }
 }
 
+TEST(DxfQuantities, ATextThatBeginsWithHowOftenToCutIsAnOrderAndNoName) {
+  for (const char* text : {"TAGLIARE 2 (DX+SX)", "Cut 2 fabric + 2 fusible", "cortar 2 tela"})
+    EXPECT_TRUE(dxf::is_cutting_order(text)) << text;
+  for (const char* text : {"Cut-off shorts", "Sleeve cut 2", "2x sleeve"})
+    EXPECT_FALSE(dxf::is_cutting_order(text)) << text;
+  for (const char* order : {"TAGLIARE 2 TESSUTO + 2 ADESIVO", "CORTAR: 2 TELA + 2 ENTRETELA"}) {
+    const dxf::DxfDrawing drawing = pieces_with({{order, "MANICA"}, {"DIETRO"}});
+    EXPECT_EQ(drawing.pieces[0].name, "MANICA") << order;
+    EXPECT_EQ(drawing.pieces[0].quantity, 2) << order;
+  }
+}
+
+TEST(DxfQuantities, TextsBelongToThePieceThatIsDrawnThereAndNotToAnUnfoldedOne) {
+  // Half a back whose other half would lie over the front beside it.
+  const std::string back =
+      rectangle({0, 0}, 300, 500, "1") + line({300, 0}, {300, 500}, "6") + text({40, 300}, "Back", "1");
+  const std::string front =
+      rectangle({340, 0}, 240, 400, "1") + text({380, 200}, "Front", "1") + text({380, 160}, "Cut 2", "1");
+  const dxf::DxfDrawing d = read_trial(entities(back + front), in_mm());
+  ASSERT_EQ(d.pieces.size(), 2U);
+  EXPECT_TRUE(d.pieces[0].unfolded);
+  EXPECT_EQ(d.pieces[0].name, "Back");
+  EXPECT_EQ(d.pieces[1].name, "Front");
+  EXPECT_EQ(d.pieces[1].quantity, 2);
+}
+
+TEST(DxfQuantities, ATitleThatIsWiderThanItsStripBelongsToTheStripInItsMiddle) {
+  const std::string strips = rectangle({0, 0}, 60, 400, "1") + rectangle({100, 0}, 60, 400, "1");
+  const dxf::DxfDrawing d = read_trial(
+      entities(strips + text({-20, 200}, "Binding of slit", "1") + text({78, 200}, "Interlining", "1")),
+      in_mm());
+  ASSERT_EQ(d.pieces.size(), 2U);
+  EXPECT_EQ(d.pieces[0].name, "Binding of slit");
+  EXPECT_EQ(d.pieces[1].name, "Interlining");
+}
+
 }  // namespace
 }  // namespace toile

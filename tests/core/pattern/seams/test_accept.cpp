@@ -123,5 +123,28 @@ TEST(AcceptSeams, SeamsThatThePatternHasHoldPieces) {
   EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8), (std::vector<bool>{false}));
 }
 
+TEST(AcceptSeams, WhatIsSetInAllAroundIsClosed) {
+  const pattern::Pattern pattern = front_and_back_and({"sleeve", "yoke"});
+  seams::SeamProposal cap = proposal(0.9, {0, 1}, {2, 2});  // the sleeve's cap to front and back
+  cap.seam.a.push_back({1, 3});
+  const std::vector<seams::SeamProposal> proposals{
+      cap, proposal(0.85, {0, 3}, {1, 1}),
+      proposal(0.85, {0, 2}, {3, 2}),                // of the other piece one end is sewn, to the front alone
+      proposal(seams::kClosesTube, {2, 1}, {2, 3}),  // closes the sleeve
+      proposal(0.45, {3, 1}, {3, 3})};
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8), (std::vector<bool>{true, true, true, true, false}));
+  std::vector<seams::SeamProposal> less = proposals;
+  less[3].confidence = 0.2;
+  EXPECT_FALSE(seams::sewn_to_wear(pattern, less, 0.8)[3]);
+}
+
+TEST(AcceptSeams, ATrimOfWhichNothingTellsTakesNoneInDoubt) {
+  const pattern::Pattern pattern = front_and_back_and({"Zwirbel"});
+  const std::vector<seams::SeamProposal> proposals{proposal(0.9, {0, 1}, {1, 3}),
+                                                   proposal(0.75, {0, 2}, {2, 0})};
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8), (std::vector<bool>{true, false}));
+  EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.7), (std::vector<bool>{true, true}));
+}
+
 }  // namespace
 }  // namespace toile

@@ -268,6 +268,17 @@ TEST(PairRules, ACollarOnAStandIsNotSewnToTheBack) {
   EXPECT_FALSE(seams::never_sewn(m, run_of(m, 0, 4), run_of(m, 1, 0)));
   const SeamModel alone = model_of({back, strip("collar", 400, 60)});
   EXPECT_FALSE(seams::never_sewn(alone, run_of(alone, 0, 4), run_of(alone, 1, 0)));
+  EXPECT_TRUE(seams::never_sewn(m, run_of(m, 2, 1), run_of(m, 2, 3))) << "nor closed in front";
+  EXPECT_FALSE(seams::never_sewn(alone, run_of(alone, 1, 1), run_of(alone, 1, 3)));
+}
+
+TEST(PairRules, APartOfAHollowNeckIsNoShoulderHoweverStraight) {
+  const pattern::Pattern pattern{{garments::plain_top("back", 620), strip("hood middle", 90, 400)}, {}};
+  SeamModel m = seams::make_seam_model(pattern);
+  const Index neck = run_of(m, 0, 4);
+  const double middle = m.runs[neck].length / 2;
+  m = seams::with_cuts(pattern, m, neck, {middle, middle + 48});
+  EXPECT_FALSE(seams::never_sewn(m, m.runs[neck].next, run_of(m, 1, 0)));
 }
 
 TEST(PairRules, CollarsLieOnNoHemAndOnNoSide) {

@@ -7,6 +7,7 @@
 #include "core/pattern/seams/parts_of_words.h"
 #include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_words.h"
+#include "core/pattern/seams/word_stems.h"
 #include "tests/core/pattern/garments.h"
 #include "tests/core/pattern/seams/worn_seams.h"
 
@@ -223,6 +224,22 @@ TEST(PieceLanguage, MoreLanguagesAreUnderstood) {
   EXPECT_EQ(words_of_piece("\u021aes\u0103tur\u0103").front(), "tesatura");
   EXPECT_TRUE(seams::words_of("contropatta").layer);
   EXPECT_TRUE(seams::words_of("vy\u00f6t\u00e4r\u00f6").kind == PieceKind::kBand);
+}
+
+TEST(PieceLanguage, AWordInAFormThatNoTableHasIsToldByItsStem) {
+  EXPECT_EQ(seams::english_by_stem("kapsou"), std::nullopt) << "less than five letters in common";
+  EXPECT_EQ(seams::english_by_stem("rukavem"), "sleeve");
+  EXPECT_EQ(seams::english_by_stem("delanteras"), "front");
+  EXPECT_EQ(words_of_piece("Predniho"), (Words{"front"}));
+  EXPECT_EQ(words_of_piece("centre"), (Words{"centre"})) << "a word that names have besides";
+}
+
+TEST(PieceLanguage, FartherLanguagesTellFrontBackAndSleeve) {
+  EXPECT_EQ(words_of_piece("THAN TRUOC"), (Words{"front"}));
+  EXPECT_EQ(words_of_piece("Th\u00e2n sau"), (Words{"back"}));
+  EXPECT_EQ(words_of_piece("lengan kanan"), (Words{"sleeve", "right"}));
+  EXPECT_EQ(words_of_piece("PIEDURKNE"), (Words{"sleeve"}));
+  EXPECT_EQ(words_of_piece("esquena"), (Words{"back"}));
 }
 
 }  // namespace

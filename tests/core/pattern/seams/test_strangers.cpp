@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/pattern/seams/model.h"
 #include "tests/core/pattern/garments.h"
 #include "tests/core/pattern/seams/worn_seams.h"
 
@@ -47,6 +48,25 @@ TEST(Strangers, ALargePieceIsPartOfTheShellWhateverItIsCalled) {
   std::vector<pattern::Panel> panels = shirt_with("Zwirbel");
   panels.back() = strip("Zwirbel", 500, 300);
   EXPECT_EQ(seams::sewn_last({panels, {}}), (std::vector<char>{0, 0, 0, 0, 0}));
+}
+
+TEST(NamedLayers, AWordBesideSeveralPiecesNamesOfTheirFormTellsOfLayers) {
+  // As interlinings in a language that no table has.
+  std::vector<pattern::Panel> panels = garments::shirt().panels;
+  panels.push_back(strip("collar", 400, 60));
+  panels.push_back(strip("cuff", 220, 60));
+  panels.push_back(strip("Zwirbel collar", 380, 45));
+  panels.push_back(strip("cuff zwirbel", 220, 60));
+  const auto layers = [&] {
+    std::vector<char> found;
+    for (const seams::PieceWords& w : seams::make_seam_model({panels, {}}).words) found.push_back(w.layer);
+    return found;
+  };
+  EXPECT_EQ(layers(), (std::vector<char>{0, 0, 0, 0, 0, 0, 1, 1}));
+  panels.back().id = "cuff brosel";
+  EXPECT_EQ(layers(), (std::vector<char>(8, 0))) << "one alone may be another version of a piece";
+  panels.back() = strip("cuff zwirbel", 80, 60);
+  EXPECT_EQ(layers(), (std::vector<char>(8, 0))) << "nor where the second has another form";
 }
 
 }  // namespace
