@@ -84,9 +84,11 @@ std::vector<bool> go_around_neck(const GarmentGraph& graph) {
     }
   };
   each_tie([&](Index collar, Index other, Vec2 at) {
-    if (graph.pieces[other].face > 0) front[collar] = true;
-    if (graph.pieces[other].face < 0) back[collar] = true;
-    if (graph.pieces[other].face != 0) sewn[collar].push_back(at);
+    const GarmentPiece& piece = graph.pieces[other];
+    const bool yoke = piece.face == 0 && piece.cover == Cover::kTorso;  // over both shoulders
+    if (piece.face > 0) front[collar] = true;
+    if (piece.face < 0 || yoke) back[collar] = true;
+    if (piece.face != 0 || yoke) sewn[collar].push_back(at);
   });
   for (std::size_t p = 0; p < count; ++p) {
     const bool ring = graph.pieces[p].cover == Cover::kCollar && graph.pieces[p].tube;

@@ -117,7 +117,8 @@ FlatMove Arranger::hood_pose(Index p, measure::BodySide side, double rise) const
 bool Arranger::tells_of_band(Index piece, Index other) const {
   const bool open_collar =
       plan_.graph.pieces[piece].cover == Cover::kCollar && !plan_.graph.pieces[piece].tube;
-  return !open_collar || plan_.graph.pieces[other].face < 0;
+  const int face = plan_.layout.has(other) ? plan_.layout.face[other] : plan_.graph.pieces[other].face;
+  return !open_collar || face < 0;
 }
 
 /// The angle at which the strip's stitches stand nearest to those that they are sewn to, radians.

@@ -381,12 +381,23 @@ class Layer {
   std::vector<Unit> units_;
 };
 
+/// Where the piece goes that is placed first: in front, unless a name puts it behind, or names put others in
+/// front and none behind.
+int face_of_root(const GarmentGraph& graph, const std::vector<Index>& members, Index root) {
+  const auto any = [&](int face) {
+    return std::any_of(members.begin(), members.end(),
+                       [&](Index p) { return graph.pieces[p].face * face > 0; });
+  };
+  const int told = graph.pieces[root].face;
+  return told < 0 || (told == 0 && any(1) && !any(-1)) ? -1 : 1;
+}
+
 FlatLayout try_trunk(const GarmentGraph& graph, const std::vector<Index>& members) {
   FlatLayout layout = empty_layout(graph.pieces.size());
   Layer layer(graph, members, layout);
   layer.find_units(members, true);
   const Index root = root_of_trunk(graph, members);
-  const int face = graph.pieces[root].face < 0 ? -1 : 1;
+  const int face = face_of_root(graph, members, root);
   layer.grow_from(root, layer.root_pose(root, face), face);
   layer.relax(root);
   stand_in_the_middle(graph, members, layout);

@@ -489,6 +489,17 @@ TEST(Arrange, ACollarOnAClosedStandLiesAroundTheNeckThoughAYokeIsBehind) {
   EXPECT_EQ(s.made.pieces[4].where, "collar, around the neck");
 }
 
+TEST(Arrange, ACollarThatIsOpenInFrontLiesAroundTheNeckFromBehindAYokeThatNoNamePutsThere) {
+  pattern::Pattern pattern = test::collared_vest();
+  pattern.panels[2].id = "yoke";
+  const Start s = started(pattern);
+  ASSERT_EQ(s.made.placements.size(), 5U);
+  for (const Index p : {3, 4}) {
+    EXPECT_EQ(s.made.pieces[static_cast<std::size_t>(p)].where, "collar, around the neck");
+    EXPECT_LT(centre_of(s, p).z, 0) << "its middle is behind, as the yoke is: " << s.made.pieces[2].where;
+  }
+}
+
 TEST(Arrange, YokesOfASkirtAreOfTheSkirt) {
   pattern::Pattern pattern = test::skirt();
   pattern.panels[2].id = "front yoke";
