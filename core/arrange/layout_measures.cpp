@@ -54,7 +54,9 @@ Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members
 double hands_right(const GarmentGraph& graph, const FlatLayout& layout) {
   double sum = 0;
   for (std::size_t p = 0; p < graph.pieces.size(); ++p) {
-    if (layout.face[p] != 0) sum += graph.pieces[p].hand * layout.pose[p](graph.pieces[p].centroid).x;
+    // Halves of a band are so much alike that one may be sewn to the other's leg.
+    const bool counts = layout.face[p] != 0 && graph.pieces[p].cover != Cover::kWaistband;
+    if (counts) sum += graph.pieces[p].hand * layout.pose[p](graph.pieces[p].centroid).x;
   }
   return sum;
 }

@@ -14,7 +14,7 @@ FlatLayout empty_layout(std::size_t pieces);
 /// and legs, and of what the middle goes through before what is of one hand alone. REQUIRES members.
 Index root_of_trunk(const GarmentGraph& graph, const std::vector<Index>& members);
 
-/// m, positive where pieces named left and right lie on their sides.
+/// m, positive where pieces named left and right lie on their sides; halves of a waistband do not count.
 double hands_right(const GarmentGraph& graph, const FlatLayout& layout);
 
 /// How much higher the upper edges of the back end than those of the front, at the garment's middle, m: of

@@ -14,6 +14,7 @@
 #include "core/arrange/arrange.h"
 #include "core/base/stopwatch.h"
 #include "core/drape/pipeline.h"
+#include "core/drape/worn_part.h"
 #include "core/dressing/dress.h"
 #include "core/mesh/make_panel_meshes.h"
 #include "server/render/png.h"
@@ -104,7 +105,7 @@ Status place_anew(drape::DrapeInput& input, const mesh::PanelMeshes& meshes) {
 
 /// Whether a way was certified.
 Result<bool> put_on(const Options& o, const fs::path& garment, const fs::path& body) {
-  drape::DrapeInput input = TRY(bench::garment_input(garment, body));
+  drape::DrapeInput input = drape::worn_part(TRY(bench::garment_input(garment, body)));
   const auto person = dressing::find_person(input.bodies);
   if (!person) return Error{"body.not_standing", "nobody to dress", body.string()};
   const dressing::Wearer wearer(*person);

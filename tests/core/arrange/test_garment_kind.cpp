@@ -131,6 +131,21 @@ TEST(GarmentKind, StripsThatMeetAlongOneLongEdgeAreNotSewnAround) {
   }
 }
 
+TEST(LayOutTrunk, HalvesOfABandSayNothingOfHands) {
+  // One may be sewn to the other's leg, and would turn the whole inside out.
+  arrange::GarmentGraph graph;
+  graph.pieces.resize(2);
+  graph.pieces[0].cover = Cover::kWaistband;
+  graph.pieces[1].cover = Cover::kLeg;
+  graph.pieces[0].hand = graph.pieces[1].hand = 1;
+  graph.pieces[0].centroid = {-0.3, 0};
+  graph.pieces[1].centroid = {0.2, 0};
+  arrange::FlatLayout layout;
+  layout.face = {1, 1};
+  layout.pose.resize(2);
+  EXPECT_DOUBLE_EQ(arrange::hands_right(graph, layout), 0.2);
+}
+
 TEST(GarmentKind, AHandThatAllNamesTellIsNone) {
   const auto hands = [](std::array<const char*, 3> names) {
     pattern::Pattern pattern = ring_of_two(300);
