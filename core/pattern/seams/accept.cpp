@@ -56,11 +56,12 @@ class SewnTo {
   }
 
   /// Whether the seam closes a tube whose end is set in, as a sleeve's cap is: it joins two edges of one
-  /// piece, and all between these, one way round, are sewn to other pieces, two at least.
+  /// piece, and all between these, one way round, are sewn to other pieces, two at least. What goes around
+  /// the neck is open in front as often as not.
   bool closes_tube(const pattern::Pattern& pattern, const pattern::Seam& seam) const {
     if (seam.a.size() != 1 || seam.b.size() != 1) return false;
     const pattern::SeamEdge &a = seam.a.front(), &b = seam.b.front();
-    return a.panel == b.panel && a.edge != b.edge &&
+    return a.panel == b.panel && a.edge != b.edge && !is_neck(words_of(pattern.panels[a.panel].id).kind) &&
            (set_in(pattern, a.panel, a.edge, b.edge) || set_in(pattern, a.panel, b.edge, a.edge));
   }
 

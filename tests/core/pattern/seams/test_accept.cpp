@@ -133,6 +133,9 @@ TEST(AcceptSeams, WhatIsSetInAllAroundIsClosed) {
       proposal(seams::kClosesTube, {2, 1}, {2, 3}),  // closes the sleeve
       proposal(0.45, {3, 1}, {3, 3})};
   EXPECT_EQ(seams::sewn_to_wear(pattern, proposals, 0.8), (std::vector<bool>{true, true, true, true, false}));
+  pattern::Pattern collared = pattern;
+  collared.panels[2].id = "collar";
+  EXPECT_FALSE(seams::sewn_to_wear(collared, proposals, 0.8)[3]) << "which is open in front";
   std::vector<seams::SeamProposal> less = proposals;
   less[3].confidence = 0.2;
   EXPECT_FALSE(seams::sewn_to_wear(pattern, less, 0.8)[3]);
