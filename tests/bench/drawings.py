@@ -11,7 +11,6 @@ worn, CPU seconds, crossings, seams left open, pieces left out, and the first fi
 import argparse
 import csv
 import json
-import resource
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -30,8 +29,8 @@ def body_arguments(truth: dict) -> list:
 def run(command: list, log: Path, limit: int) -> int:
     """Exit code; negative where a signal ended it, as the limit of CPU seconds does."""
     with log.open("w") as out:
-        return subprocess.run([str(c) for c in command], stdout=out, stderr=subprocess.STDOUT, check=False,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))).returncode
+        return subprocess.run(["prlimit", f"--cpu={limit}", *[str(c) for c in command]], stdout=out,
+                              stderr=subprocess.STDOUT, check=False).returncode
 
 
 def why_of(report: dict) -> str:

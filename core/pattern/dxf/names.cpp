@@ -176,7 +176,9 @@ std::optional<Nearest> piece_of_text(const std::vector<DxfFound>& pieces, const 
   const double reach = reach_of(length(to_mm.turned({0, text.height})));
   const std::optional<Nearest> first = nearest_piece(pieces, boxes, to_mm(text.at), reach);
   if (first && first->off == 0) return first;
-  const double half = 0.5 * kWide * text.height * static_cast<double>(text.text.size());
+  const auto letters = std::count_if(text.text.begin(), text.text.end(),
+                                     [](char c) { return (c & 0xC0) != 0x80; });  // of UTF-8
+  const double half = 0.5 * kWide * text.height * static_cast<double>(letters);
   const std::optional<Nearest> middle = nearest_piece(pieces, boxes, to_mm(text.at + Vec2{half, 0}), reach);
   return middle && middle->off == 0 ? middle : first;
 }

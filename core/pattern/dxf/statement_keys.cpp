@@ -32,9 +32,7 @@ constexpr KeyNames kKeys[] = {
      "quantita;qtd;qtde;qta;q.ta;"
      "qte;qt;cant;ctd;anz;stk;szt;aantal;ilosc;pocet;kusu;adet;antal;antall;qty;kolichestvo;kilkist;kol "
      "vo;kolicina;"
-     "mennyiseg;darabszam;darab;maara;lukumaara;kpl;cantitate;bucati;cut;couper;"
-     "coupez;cortar;corte;tagliare;zuschneiden;zuschnitt;schneiden;knippen;klipp;klip;kroic;wyciac;krojit;"
-     "leikkaa;kes;kesim;taie;croieste;szabni;数量;件数;裁片数量;枚数;"},
+     "mennyiseg;darabszam;darab;maara;lukumaara;kpl;cantitate;bucati;数量;件数;裁片数量;枚数;"},
     {"material",
      ";stoff;tissu;matiere;tela;tejido;tecido;tessuto;stof;tkanina;latka;kumas;tyg;fabric;"
      "materijal;materiale;materiaali;kangas;anyag;tesatura;tkan;面料;布料;生地;"},

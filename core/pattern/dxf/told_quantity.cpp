@@ -7,6 +7,7 @@
 
 #include "core/base/latin_letters.h"
 #include "core/base/text.h"
+#include "core/pattern/dxf/cut_words.h"
 #include "core/pattern/dxf/statement_keys.h"
 
 namespace toile::dxf {
@@ -15,10 +16,6 @@ namespace {
 constexpr int kMostTold = 12;  // of one piece; greater figures are sizes
 
 // Small letters without accents, between semicolons.
-constexpr std::string_view kCutWords =
-    ";cut;couper;coupez;coupe;cortar;corte;cortes;tagliare;tagliate;schneiden;zuschneiden;zuschnitt;"
-    "knippen;knip;klipp;klippe;klippes;klip;kroic;wyciac;krojit;strihat;strihej;strih;leikkaa;kes;kesilecek;"
-    "kesim;taie;croit;croieste;szabni;vagni;kiszabni;rezati;kroj;krojiti;kroit;vykroit;";
 constexpr std::string_view kCountWords =
     ";pc;pcs;piece;pieces;pce;pces;pieza;piezas;peca;pecas;pezzo;pezzi;pz;stk;stck;stuck;stueck;stuks;styck;"
     "szt;sztuk;sztuki;ks;kusy;kus;adet;kpl;kappaletta;db;darab;buc;bucati;kom;komada;kosa;sht;det;detali;"
@@ -40,12 +37,6 @@ constexpr std::string_view kBesideWords =
 
 bool is_among(std::string_view list, std::string_view word) {
   return list.find(";" + std::string(word) + ";") != std::string_view::npos;
-}
-
-/// Whether the word is one of the list's, or the beginning of one: "tagl", "cort".
-bool begins_one(std::string_view list, const std::string& word) {
-  constexpr std::size_t kLeast = 4;  // letters
-  return is_among(list, word) || (word.size() >= kLeast && list.find(";" + word) != std::string_view::npos);
 }
 
 /// A row of digits or of letters.
@@ -102,7 +93,7 @@ int counted_by(const std::vector<Token>& tokens) {
     const bool last = i + 2 == tokens.size();  // "2 para forro" are two for a lining
     if (is_among(kPairWords, after) || (last && after == "para"))
       return figure % 2 == 0 ? figure : 2 * figure;
-    if (before == "x" || after == "x" || begins_one(kCutWords, before) || is_among(kCountWords, after) ||
+    if (before == "x" || after == "x" || tells_cutting(before) || is_among(kCountWords, after) ||
         is_quantity(before))
       return figure;
   }
@@ -126,7 +117,7 @@ bool tells_only_quantity(std::string_view text) {
   if (!told_quantity(text)) return false;
   const std::vector<Token> tokens = tokens_of(text);
   return std::all_of(tokens.begin(), tokens.end(), [](const Token& t) {
-    if (t.is_figure() || begins_one(kCutWords, t.text) || is_quantity(t.text)) return true;
+    if (t.is_figure() || tells_cutting(t.text) || is_quantity(t.text)) return true;
     for (const std::string_view list : {kCountWords, kPairWords, kManyPairWords, kFoldWords, kBesideWords})
       if (is_among(list, t.text)) return true;
     return false;
@@ -135,7 +126,7 @@ bool tells_only_quantity(std::string_view text) {
 
 bool is_cutting_order(std::string_view text) {
   const std::vector<Token> tokens = tokens_of(text);
-  return tokens.size() > 1 && begins_one(kCutWords, tokens[0].text) && tokens[1].is_figure();
+  return tokens.size() > 1 && tells_cutting(tokens[0].text) && tokens[1].is_figure();
 }
 
 bool is_fold_word(std::string_view word) { return is_among(kFoldWords, word); }

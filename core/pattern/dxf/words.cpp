@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cstdint>
 
+#include "core/base/latin_letters.h"
 #include "core/base/text.h"
+#include "core/pattern/dxf/cut_words.h"
 #include "core/pattern/dxf/statement_keys.h"
 
 namespace toile::dxf {
@@ -92,6 +94,18 @@ bool is_lost(std::string_view text) {
   return text.find('?') != std::string_view::npos && text.find_first_not_of("? _-") == std::string_view::npos;
 }
 
+namespace {
+
+/// "CORTAR: 2 TELA" counts pieces, "KROJ: SLIM" or "COUPE: 38" tells how they are cut or their size.
+bool orders_cutting(const DxfStatement& statement) {
+  constexpr int kMost = 12;  // of one piece
+  int count = 0;
+  std::from_chars(statement.value.data(), statement.value.data() + statement.value.size(), count);
+  return count >= 1 && count <= kMost && tells_cutting(lower_case(in_latin_letters(statement.key)));
+}
+
+}  // namespace
+
 std::optional<DxfStatement> statement_of(const std::string& text) {
   std::size_t colon = text.find(':');
   std::size_t width = 1;
@@ -110,7 +124,7 @@ std::optional<DxfStatement> statement_of(const std::string& text) {
   while (!statement.key.empty() && statement.key.back() == ' ') statement.key.pop_back();
   statement.value = trimmed(std::string_view(text).substr(colon + width));
   if (statement.key.empty()) return std::nullopt;
-  statement.key = english_key(statement.key);
+  statement.key = orders_cutting(statement) ? "quantity" : english_key(statement.key);
   return statement;
 }
 

@@ -137,6 +137,8 @@ TEST(DxfQuantities, ATextThatBeginsWithHowOftenToCutIsAnOrderAndNoName) {
     EXPECT_EQ(drawing.pieces[0].name, "MANICA") << order;
     EXPECT_EQ(drawing.pieces[0].quantity, 2) << order;
   }
+  for (const char* told : {"KROJ: SLIM", "COUPE: 38"})
+    EXPECT_EQ(pieces_with({{"MANICA", told}}).pieces[0].quantity, 1) << told;
 }
 
 TEST(DxfQuantities, TextsBelongToThePieceThatIsDrawnThereAndNotToAnUnfoldedOne) {

@@ -273,12 +273,20 @@ TEST(PairRules, ACollarOnAStandIsNotSewnToTheBack) {
 }
 
 TEST(PairRules, APartOfAHollowNeckIsNoShoulderHoweverStraight) {
-  const pattern::Pattern pattern{{garments::plain_top("back", 620), strip("hood middle", 90, 400)}, {}};
+  const pattern::Panel half = piece("back_l", {{0, 0},
+                                               {250, 0},
+                                               {245, 380, Vec2{190, 390}, Vec2{185, 430}},
+                                               {200, 600},
+                                               {85, 645, Vec2{70, 620}, Vec2{60, 620}},
+                                               {0, 620}});
+  const pattern::Pattern pattern{{half, strip("hood middle", 90, 400)}, {}};
   SeamModel m = seams::make_seam_model(pattern);
   const Index neck = run_of(m, 0, 4);
-  const double middle = m.runs[neck].length / 2;
-  m = seams::with_cuts(pattern, m, neck, {middle, middle + 48});
-  EXPECT_FALSE(seams::never_sewn(m, m.runs[neck].next, run_of(m, 1, 0)));
+  ASSERT_LT(m.runs[neck].turn.back(), -30);
+  m = seams::with_cuts(pattern, m, neck, {m.runs[neck].length - 48});
+  const Index part = m.runs[neck].next;
+  ASSERT_GT(m.runs[part].turn.back(), -6) << "straight, and it lies on a slope as shoulders do";
+  EXPECT_FALSE(seams::never_sewn(m, part, run_of(m, 1, 0)));
 }
 
 TEST(PairRules, CollarsLieOnNoHemAndOnNoSide) {

@@ -55,6 +55,29 @@ TEST(ReadyToWear, ARoundedCuffHangsByItsStraightEdge) {
   EXPECT_EQ(seams::told_to_hang(m, m.runs[0], m.runs[5]), 1) << "from the sleeve's hem";
 }
 
+TEST(ReadyToWear, AHoodOfThreePiecesLiesOnTheNeckWithItsStripBehind) {
+  const auto half = [](const std::string& name, double neck) {
+    return piece(name, {{0, 0},
+                        {250, 0},
+                        {245, 380, Vec2{190, 390}, Vec2{185, 430}},
+                        {200, 600},
+                        {70, 640, Vec2{62, neck}, Vec2{30, neck}},
+                        {0, neck}});
+  };
+  const pattern::Panel front = half("front_l", 540), back = half("back_l", 620);
+  const double fronts = 2 * garments::length_of(front, 4), backs = 2 * garments::length_of(back, 4);
+  // Each side alone would fit the back's neck as well, and the strip and the other side the fronts'.
+  const double side = backs + 2, middle = fronts + backs - 2 * side;
+  const pattern::Panel hood =
+      piece("hood_l", {{0, 0}, {side, 0, Vec2{side + 90, 220}, Vec2{side, 340}}, {0, 330}});
+  const WornSeams worn({front, mirrored(front, "front_r"), back, mirrored(back, "back_r"), hood,
+                        mirrored(hood, "hood_r"),
+                        strip("hood middle", middle, garments::length_of(hood, 1))});
+  const std::vector<std::string> around{"front_l.e4", "back_l.e4", "back_r.e4", "front_r.e4"};
+  const bool below = worn.has(around, {"hood_l.e0", "hood middle.e0", "hood_r.e0"});
+  EXPECT_TRUE(below || worn.has(around, {"hood_l.e0", "hood middle.e2", "hood_r.e0"})) << worn.text();
+}
+
 TEST(ReadyToWear, AHoodsFaceIsInFront) {
   // As far around as both necks together, each half so far as half of that.
   const double neck = garments::length_of(plain_top("", 520), 4) + garments::length_of(plain_top("", 600), 4);
