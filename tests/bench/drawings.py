@@ -85,6 +85,11 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=1)
     args = parser.parse_args()
     names = args.names or sorted(f.stem for f in args.drawings.glob("*.dxf"))
+    for name in names:
+        wanted = [args.drawings / f"{name}.dxf"] + ([] if args.body else [args.drawings / f"{name}.json"])
+        for file in wanted:
+            if not file.exists():
+                parser.error(f"there is no {file}; --drawings says where drawings lie, --body goes without measures")
     args.out.mkdir(parents=True, exist_ok=True)
     with (args.out / "drawings.csv").open("w", newline="") as file, ThreadPoolExecutor(args.jobs) as pool:
         table = csv.DictWriter(file, COLUMNS)
