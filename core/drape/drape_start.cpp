@@ -239,7 +239,8 @@ PutOnTries put_on_after(int after, const DrapeInput& input, const DrapeStart& st
 std::optional<PutOnTries> dress_start(const DrapeInput& input, DrapeStart& start, const RunContext& context,
                                       int after, dressing::Effort effort) {
   if (!may_put_on(input, start)) return std::nullopt;
-  if (!in_question(start.findings) && !lies_beside(input, start)) return std::nullopt;
+  const bool in_order = !in_question(start.findings) && !lies_beside(input, start);
+  if (in_order && start.placed.pressed_back.empty()) return std::nullopt;
   PutOnTries tries = put_on_after(after, input, start, context, effort);
   start.dressed = tries.on;
   if (start.dressed) begin_on_body(start);

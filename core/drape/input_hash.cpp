@@ -100,8 +100,9 @@ void write_one(StateWriter& out, const sewing::Elastic& elastic) {
   write(out, id, panel, edges, lines, factor, stiffness);
 }
 void write_one(StateWriter& out, const sewing::Crease& crease) {
-  const auto& [id, panel, lines, angle, stiffness] = crease;
+  const auto& [id, panel, edges, lines, angle, stiffness] = crease;
   write(out, id, panel, lines, angle, stiffness);
+  if (!edges.empty()) write(out, edges);  // all others keep their hash
 }
 void write_one(StateWriter& out, const sewing::Cushion& cushion) {
   const auto& [id, panels, pressure, full_volume] = cushion;
@@ -151,7 +152,8 @@ void write_one(StateWriter& out, const sewing::GarmentMesh& garment) {
   write(out, rest, triangles, panel_of_vertex, panel_of_triangle, first_vertex, sewn, seam_of_sewn, weld);
 }
 void write_one(StateWriter& out, const sewing::Assembly& assembly) {
-  const auto& [garment, positions, attached, led, notions, turned] = assembly;
+  const auto& [garment, positions, attached, led, notions, turned, pressed_back] =
+      assembly;  // the last by notions
   write(out, garment, positions, attached, led, notions);
   if (!turned.empty()) write(out, turned);  // all others keep their hash
 }

@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <utility>
 
+#include "core/drape/fold_hinges.h"
 #include "core/drape/shoulder_holds.h"
-#include "core/mesh/topology.h"
 #include "core/sewing/attached_places.h"
 
 namespace toile::drape {
 
 namespace {
-
-/// Sines differ in their last bit between processors; the same input must give the same bytes.
-double rounded(double value) { return std::nearbyint(value * 0x1p40) / 0x1p40; }
 
 sewing::ClothPoint mapped(const sewing::ClothPoint& point, std::span<const Index> vertex_of) {
   return {{vertex_of[point.v[0]], vertex_of[point.v[1]], vertex_of[point.v[2]]}, point.share};
@@ -63,35 +58,6 @@ std::vector<solver::constraints::ElasticSegment> elastics_of(const DrapeInput& i
     }
   }
   return segments;
-}
-
-std::vector<solver::constraints::FoldHinge> folds_of(const DrapeInput& input,
-                                                     const sewing::Assembly& assembly,
-                                                     std::span<const Index> vertex_of) {
-  std::vector<solver::constraints::FoldHinge> hinges;
-  if (input.notions.creases.empty()) return hinges;
-  const sewing::GarmentMesh& garment = assembly.garment;
-  std::map<std::pair<Index, Index>, mesh::MeshEdge> edges;
-  for (const mesh::MeshEdge& e : mesh::edges_of(garment.triangles, garment.vertex_count())) {
-    edges.emplace(std::minmax(e.v0, e.v1), e);
-  }
-  std::set<std::pair<Index, Index>> turned;
-  for (const auto& [a, b] : assembly.turned) turned.insert(std::minmax(a, b));
-  for (std::size_t i = 0; i < input.notions.creases.size(); ++i) {
-    const sewing::Crease& crease = input.notions.creases[i];
-    const double sine = rounded(std::sin(crease.angle / 2)), cosine = rounded(std::cos(crease.angle / 2));
-    for (const std::vector<Index>& chain : assembly.notions.creases[i]) {
-      for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
-        const auto found = edges.find(std::minmax(chain[k], chain[k + 1]));
-        if (found == edges.end() || found->second.t1 == kNone) continue;
-        const mesh::MeshEdge& e = found->second;
-        hinges.push_back({vertex_of[e.v0], vertex_of[e.v1], vertex_of[e.opposite0], vertex_of[e.opposite1],
-                          sine, cosine, crease.stiffness * length(garment.rest[e.v1] - garment.rest[e.v0]),
-                          turned.contains(found->first)});
-      }
-    }
-  }
-  return hinges;
 }
 
 std::vector<solver::constraints::PressureChamber> chambers_of(const DrapeInput& input,
@@ -142,7 +108,7 @@ solver::ClothFeatures make_features(const DrapeInput& input, const sewing::Assem
   return {input.settings.air,
           ties_of(input, assembly, vertex_of),
           elastics_of(input, assembly, vertex_of),
-          folds_of(input, assembly, vertex_of),
+          fold_hinges(input.notions.creases, assembly, vertex_of),
           chambers_of(input, assembly, vertex_of, vertex_count),
           tethers_of(input, assembly, vertex_of, released),
           wearer ? make_shoulder_holds(assembly, wearer->figure, vertex_of, vertex_count)

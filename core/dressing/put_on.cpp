@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/collision/crossings.h"
+#include "core/dressing/turn_over.h"
 #include "core/mesh/flat_locator.h"
 
 namespace toile::dressing {
@@ -72,6 +73,22 @@ bool tried_before(const sewing::Assembly& assembly, const Wearer& wearer, std::s
   return false;
 }
 
+/// Shares of the room there is by which collars are turned down, in the order in which they are tried.
+constexpr double kTurnedBy[] = {1, 0.9, 0.8, 0.65};
+
+/// Turns down what is pressed back, if that can be certified: a collar that stands is no fault.
+void turn_down(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dressed) {
+  if (assembly.pressed_back.empty()) return;
+  for (const double share : kTurnedBy) {
+    Dressed down = dressed;
+    down.positions = turned_over(assembly, wearer, dressed.positions, share);
+    finish(assembly, wearer, down);
+    if (!down.certificate.holds_strained()) continue;
+    dressed.positions = std::move(down.positions);
+    return;
+  }
+}
+
 /// What was certified by the coarse mesh on the fine one; nothing where it is not on there. How squeezed it
 /// is was seen by the coarse mesh.
 std::optional<Dressed> on_fine(const sewing::Assembly& fine, const sewing::Assembly& coarse,
@@ -82,6 +99,7 @@ std::optional<Dressed> on_fine(const sewing::Assembly& fine, const sewing::Assem
     finish(fine, wearer, dressed);
   }
   if (!dressed.certificate.holds_strained()) return std::nullopt;
+  turn_down(fine, wearer, dressed);
   dressed.certificate.shrink_p99 = squeezed;
   return dressed;
 }

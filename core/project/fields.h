@@ -198,10 +198,12 @@ void describe(Visitor& v, project::ProjectElastic& elastic) {
 
 template <typename Visitor>
 void describe(Visitor& v, project::ProjectFold& fold) {
-  v.object("fold", "Presses the cloth to an angle along lines.");
+  v.object("fold", "Presses the cloth to an angle along lines or seams.");
   v.field("id", fold.id, "Name that messages use.", Need::kRequired);
   v.field("piece", fold.piece, "Id of a piece.", Need::kRequired);
-  v.field("lines", fold.lines, "Ids of lines of the piece.", Need::kRequired, kSome);
+  v.field("lines", fold.lines,
+          "Ids of lines of the piece, or of edges along which it is pressed to what they are sewn to.",
+          Need::kRequired, kSome);
   v.field("angle", fold.angle,
           "Degrees from flat: 180 folds the piece onto itself with the side outside that is up in the flat "
           "piece, -180 with that side inside.",
@@ -336,7 +338,7 @@ void describe(Visitor& v, project::Project& project) {
   v.field("elastics", project.elastics,
           "Bands sewn along edges and lines; they draw in once the garment is sewn. Their ids are unique.",
           Need::kOptional, kMany);
-  v.field("folds", project.folds, "Creases pressed in along lines of pieces. Their ids are unique.",
+  v.field("folds", project.folds, "Creases pressed in along lines and seams of pieces. Their ids are unique.",
           Need::kOptional, kMany);
   v.field("cushions", project.cushions,
           "Closed or nearly closed shapes with air inside. Their ids are unique.", Need::kOptional, kMany);

@@ -6,7 +6,6 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/snapped.h"
 #include "core/sewing/attached_places.h"
-#include "core/sewing/folded_start.h"
 
 namespace toile::sewing {
 
@@ -28,6 +27,25 @@ void append_seams(const mesh::PanelMeshes& meshes, GarmentMesh& garment) {
       garment.sewn.push_back({index(pair.a), index(pair.b)});
       garment.seam_of_sewn.push_back(seam.seam);
     }
+  }
+}
+
+/// Of each vertex of the panels, whether a seam holds it.
+std::vector<std::vector<bool>> held_by_seams(const mesh::PanelMeshes& meshes) {
+  std::vector<std::vector<bool>> held;
+  for (const mesh::PanelMesh& mesh : meshes.panels) held.emplace_back(mesh.rest.size(), false);
+  for (const mesh::MatchedSeam& seam : meshes.seams)
+    for (const mesh::SewnPair& pair : seam.pairs)
+      for (const mesh::PanelVertex& v : {pair.a, pair.b}) held[v.panel][v.vertex] = true;
+  return held;
+}
+
+void add_folded(const PlacedPiece& piece, Index first, Assembly& assembly) {
+  for (const auto& [a, b] : piece.turned) assembly.turned.push_back({a + first, b + first});
+  for (PressedBack back : piece.pressed_back) {
+    for (std::vector<Index>* vertices : {&back.along, &back.fall})
+      for (Index& v : *vertices) v += first;
+    assembly.pressed_back.push_back(std::move(back));
   }
 }
 
@@ -79,20 +97,20 @@ Result<Assembly> assemble(const mesh::PanelMeshes& meshes, const std::vector<Pla
                      std::to_string(meshes.panels.size()) + " pieces"};
   }
   Assembly assembly;
+  const std::vector<std::vector<bool>> held = held_by_seams(meshes);
   for (std::size_t i = 0; i < meshes.panels.size(); ++i) {
     append_panel(meshes.panels[i], static_cast<Index>(i), assembly.garment);
     std::vector<Crease> creases;
     std::copy_if(notions.creases.begin(), notions.creases.end(), std::back_inserter(creases),
                  [&](const Crease& c) { return c.panel == static_cast<Index>(i); });
-    const PlacedPiece piece = placed_folded(meshes.panels[i], placements[i], creases);
+    const PlacedPiece piece = placed_folded(meshes.panels[i], placements[i], creases, held[i]);
     const std::vector<Vec3>& placed = piece.positions;
     if (!std::all_of(placed.begin(), placed.end(), [](Vec3 p) { return is_finite(p) && length(p) < 100; })) {
       return Error{"placement.not_finite", "the placement puts the piece nowhere, or over 100 m away",
                    "piece number " + std::to_string(i + 1)};
     }
     for (const Vec3& p : placed) assembly.positions.push_back(snapped(p));
-    const Index first = assembly.garment.first_vertex.back();
-    for (const auto& [a, b] : piece.turned) assembly.turned.push_back({a + first, b + first});
+    add_folded(piece, assembly.garment.first_vertex.back(), assembly);
   }
   assembly.garment.first_vertex.push_back(assembly.garment.vertex_count());
   append_seams(meshes, assembly.garment);

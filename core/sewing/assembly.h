@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/mesh/panel_mesh.h"
 #include "core/sewing/attachment.h"
+#include "core/sewing/folded_start.h"
 #include "core/sewing/garment_mesh.h"
 #include "core/sewing/notion_places.h"
 #include "core/sewing/placement.h"
@@ -18,6 +19,7 @@ struct Assembly {
   NotionPlaces notions;
   /// Edges of the mesh about which a part of its piece begins turned over (folded_start.h).
   std::vector<std::array<Index, 2>> turned = {};
+  std::vector<PressedBack> pressed_back = {};  ///< as garment vertices
 };
 
 /// Least vertex of the class that each vertex belongs to when the pairs `joined` are one.

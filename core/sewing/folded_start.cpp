@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
@@ -26,8 +27,12 @@ std::vector<std::array<Index, 2>> links_of(const mesh::PanelMesh& mesh, const Cr
   return links;
 }
 
-/// Triangles of the smaller part beyond the links; empty unless they part the mesh in two.
-std::vector<Tri> smaller_part(const mesh::PanelMesh& mesh, const std::vector<std::array<Index, 2>>& links) {
+/// The two parts beyond the links, the smaller one first; empty unless they part the mesh in two.
+struct Parts {
+  std::vector<Tri> smaller, larger;
+};
+
+Parts parts_of(const mesh::PanelMesh& mesh, const std::vector<std::array<Index, 2>>& links) {
   std::map<std::pair<Index, Index>, Index> edges;  // to the first triangle; links to none
   for (const auto& [a, b] : links) edges.emplace(std::minmax(a, b), kNone);
   DisjointSets parts(mesh.triangles.size());
@@ -47,10 +52,29 @@ std::vector<Tri> smaller_part(const mesh::PanelMesh& mesh, const std::vector<std
   if (areas.size() != 2) return {};
   const bool first = areas.begin()->second < areas.rbegin()->second;
   const Index smaller = first ? areas.begin()->first : areas.rbegin()->first;
-  std::vector<Tri> out;
+  Parts out;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (part_of(t) == smaller) out.push_back(mesh.triangles[t]);
+    (part_of(t) == smaller ? out.smaller : out.larger).push_back(mesh.triangles[t]);
   return out;
+}
+
+/// The triangles' vertices, rising, but for those along which they are turned.
+std::vector<Index> beyond(const std::vector<Tri>& part, const std::vector<Index>& along) {
+  std::set<Index> vertices;
+  for (const Tri& t : part) vertices.insert(t.begin(), t.end());
+  for (const Index v : along) vertices.erase(v);
+  return {vertices.begin(), vertices.end()};
+}
+
+/// The vertices of edges that follow one another; empty where they do not.
+std::vector<Index> row_of(const mesh::PanelMesh& mesh, const std::vector<Index>& edges) {
+  std::vector<Index> row;
+  for (const Index e : edges) {
+    const std::vector<Index>& next = mesh.edge_vertices[e];
+    if (!row.empty() && row.back() != next.front()) return {};
+    row.insert(row.end(), next.begin() + (row.empty() ? 0 : 1), next.end());
+  }
+  return row;
 }
 
 Vec2 nearest_on(const mesh::PanelMesh& mesh, const std::vector<std::array<Index, 2>>& links, Vec2 p) {
@@ -75,24 +99,45 @@ Vec3 turned(Vec2 from, Vec2 about, double angle, const Placement& placement) {
   return p[0] - right * (length(arm) * std::sin(angle));
 }
 
+/// What of the piece is pressed back once the garment is on: all beyond its edges, or beyond a line what
+/// hangs free and is larger than what is sewn.
+std::vector<PressedBack> pressed_later(const mesh::PanelMesh& mesh, const Crease& crease, const Parts& parts,
+                                       const std::vector<bool>& sewn) {
+  if (crease.lines.empty()) {
+    const std::vector<Index> along = row_of(mesh, crease.edges);
+    if (along.empty()) return {};
+    return {{along, beyond(mesh.triangles, along)}};
+  }
+  if (crease.lines.size() > 1 || parts.larger.empty()) return {};
+  const std::vector<Index>& along = mesh.line_vertices[crease.lines.front()];
+  const auto held = [&](const std::vector<Index>& part) {
+    return std::any_of(part.begin(), part.end(), [&](Index v) { return sewn[v]; });
+  };
+  std::vector<Index> fall = beyond(parts.larger, along);
+  if (!held(beyond(parts.smaller, along)) || held(fall)) return {};
+  return {{along, std::move(fall)}};
+}
+
 }  // namespace
 
 PlacedPiece placed_folded(const mesh::PanelMesh& mesh, const Placement& placement,
-                          const std::vector<Crease>& of_panel) {
-  PlacedPiece placed{place(mesh.rest, placement), {}};
+                          const std::vector<Crease>& of_panel, const std::vector<bool>& sewn) {
+  PlacedPiece placed{place(mesh.rest, placement), {}, {}};
   const auto sharp = [](const Crease& c) { return std::abs(c.angle) >= kTurnedOver; };
   if (std::count_if(of_panel.begin(), of_panel.end(), sharp) != 1) return placed;
   const Crease& crease = *std::find_if(of_panel.begin(), of_panel.end(), sharp);
   const std::vector<std::array<Index, 2>> links = links_of(mesh, crease);
-  const std::vector<Tri> part = smaller_part(mesh, links);
-  for (const Tri& t : part) {
+  const Parts parts = parts_of(mesh, links);
+  placed.pressed_back = pressed_later(mesh, crease, parts, sewn);
+  if (!placed.pressed_back.empty()) return placed;
+  for (const Tri& t : parts.smaller) {
     for (const Index v : t) {
       const Vec2 about = nearest_on(mesh, links, mesh.rest[v]);
       if (length(mesh.rest[v] - about) < kOnCrease) continue;
       placed.positions[v] = turned(mesh.rest[v], about, crease.angle, placement);
     }
   }
-  if (!part.empty()) placed.turned = links;
+  if (!parts.smaller.empty()) placed.turned = links;
   return placed;
 }
 

@@ -99,6 +99,8 @@ Result<NotionPlaces> locate_notions(const Notions& notions, const mesh::PanelMes
   for (const Crease& crease : notions.creases) {
     VertexChains& chains = places.creases.emplace_back();
     const Index first = garment.first_vertex[crease.panel];
+    for (const Index e : crease.edges)
+      chains.push_back(shifted(meshes.panels[crease.panel].edge_vertices[e], first));
     for (const Index l : crease.lines) {
       chains.push_back(shifted(meshes.panels[crease.panel].line_vertices[l], first));
     }

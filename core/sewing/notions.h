@@ -31,11 +31,13 @@ struct Elastic {
   double stiffness = 20;     ///< N per strain of the band
 };
 
-/// Lines along which cloth is pressed to an angle.
+/// Lines along which cloth is pressed to an angle, and edges along which it is pressed to what they are sewn
+/// to: a collar's fall onto its stand.
 struct Crease {
   std::string id;
   Index panel = kNone;
-  std::vector<Index> lines;
+  std::vector<Index> edges;  ///< of the panel, as edges_of counts
+  std::vector<Index> lines;  ///< of the panel
   double angle = 0;  ///< radians, −π to π; positive: the side that is up in the flat panel stays outside
   double stiffness = 0.02;  ///< N·m per radian and metre of line
 };

@@ -19,6 +19,7 @@
 #include "core/pattern/validate.h"
 #include "core/project/create/choose_fabrics.h"
 #include "core/project/create/choose_mesh.h"
+#include "core/project/create/collar_folds.h"
 #include "core/project/create/cut_pieces.h"
 #include "core/project/create/halves.h"
 #include "core/project/create/waist_elastic.h"
@@ -229,6 +230,27 @@ void hold_at_waist(NewProject& made) {
         "as in a casing");
 }
 
+/// Collars are small, turn sharply and are interlined, but for those of ribs.
+void make_crisp(project::ProjectPiece& piece) {
+  constexpr double kDistance = 8;  // mm
+  if (!piece.physical) piece.physical.emplace();
+  piece.physical->particle_distance_mm = kDistance;
+  if (piece.fabric != "rib") piece.physical->interlining = "interlining";
+}
+
+/// Turns down the collars that are worn so.
+void turn_collars_down(NewProject& made) {
+  for (CollarFold& collar : collar_folds(made.pattern)) {
+    std::vector<project::ProjectLine>& lines = made.project.pieces[collar.panel].lines;
+    lines.insert(lines.end(), collar.lines.begin(), collar.lines.end());
+    for (const Index p : {collar.panel, collar.stand})
+      if (p != kNone) make_crisp(made.project.pieces[p]);
+    made.project.folds.push_back(std::move(collar.fold));
+  }
+  if (!made.project.folds.empty())
+    made.notes.push_back("collars are turned down: see the folds; without its fold a collar stands");
+}
+
 json::JsonValue side_json(const std::vector<project::ProjectSeamEdge>& side) {
   std::vector<json::JsonValue> edges;
   edges.reserve(side.size());
@@ -320,6 +342,7 @@ Result<NewProject> new_project(const dxf::DxfDrawing& drawing, const NewProjectS
   TRY(sew(sides, settings, context, made));
   complete(settings, made);
   hold_at_waist(made);
+  turn_collars_down(made);
   return made;
 }
 

@@ -71,17 +71,24 @@ Result<sewing::Button> button_of(const project::ProjectButton& given, const Patt
   return sewing::Button{given.id, a, b, metres_from_mm(given.distance_mm)};
 }
 
+/// Each name is an edge's of the panel, or else a line's.
+Status add_edges_and_lines(const std::vector<std::string>& given, const PatternNames& names, Index panel,
+                           const std::string& where, std::vector<Index>& edges, std::vector<Index>& lines) {
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const std::string place = json::pointer_to(where, i);
+    const bool edge = names.has_edge(panel, given[i]);
+    const Index found = TRY(edge ? names.edge(panel, given[i], place) : names.line(panel, given[i], place));
+    (edge ? edges : lines).push_back(found);
+  }
+  return {};
+}
+
 Result<sewing::Elastic> elastic_of(const project::ProjectElastic& given, const PatternNames& names,
                                    const std::string& where) {
   const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
   sewing::Elastic elastic{given.id, panel, {}, {}, given.factor, given.stiffness_n};
-  for (std::size_t i = 0; i < given.lines.size(); ++i) {
-    const std::string place = json::pointer_to(json::pointer_to(where, "lines"), i);
-    const bool edge = names.has_edge(panel, given.lines[i]);
-    const Index found =
-        TRY(edge ? names.edge(panel, given.lines[i], place) : names.line(panel, given.lines[i], place));
-    (edge ? elastic.edges : elastic.lines).push_back(found);
-  }
+  TRY(add_edges_and_lines(given.lines, names, panel, json::pointer_to(where, "lines"), elastic.edges,
+                          elastic.lines));
   return elastic;
 }
 
@@ -90,12 +97,9 @@ Result<sewing::Crease> crease_of(const project::ProjectFold& given, const Patter
   const Index panel = TRY(names.panel(given.piece, json::pointer_to(where, "piece")));
   constexpr double kNewtons = 1e-3;
   sewing::Crease crease{
-      given.id, panel, {}, radians_from_degrees(given.angle), given.stiffness_mn * kNewtons};
-  for (std::size_t i = 0; i < given.lines.size(); ++i) {
-    const Index line =
-        TRY(names.line(panel, given.lines[i], json::pointer_to(json::pointer_to(where, "lines"), i)));
-    crease.lines.push_back(line);
-  }
+      given.id, panel, {}, {}, radians_from_degrees(given.angle), given.stiffness_mn * kNewtons};
+  TRY(add_edges_and_lines(given.lines, names, panel, json::pointer_to(where, "lines"), crease.edges,
+                          crease.lines));
   return crease;
 }
 

@@ -164,7 +164,7 @@ TEST(Notions, WhatIsHeldUntilFrictionCarriesItIsGatheredAsWell) {
 TEST(Notions, ACreaseAlongALineComesToRestAtItsAngle) {
   drape::DrapeInput input = floating(100, 60, {0});
   input.pattern.panels[0].lines = {{"fold", {{0, 0}, {0, 60}}}};
-  input.notions.creases = {{"c", 0, {0}, kHalfTurn / 2, 0.05}};
+  input.notions.creases = {{"c", 0, {}, {0}, kHalfTurn / 2, 0.05}};
   input.settings.until_settled = false;
   input.settings.max_time = 2;  // nothing holds it: it may drift
   const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
@@ -175,6 +175,25 @@ TEST(Notions, ACreaseAlongALineComesToRestAtItsAngle) {
   const Vec3 right = normalized(at({0.05, 0.03}) - at({0, 0.03}));
   EXPECT_NEAR(std::acos(dot(left, right)) * 180 / kHalfTurn, 90, 5);
   EXPECT_LT(at({0.05, 0.03}).z, at({0, 0.03}).z) << "the side that is up in the flat piece stays outside";
+}
+
+TEST(Notions, ACreaseAlongASeamComesToRestAtItsAngleWhicheverPieceHasIt) {
+  for (const Index piece : {0, 1}) {
+    drape::DrapeInput input = floating(50, 60, {0, 0});
+    input.placements[1] = sewing::RigidPlacement{{0.07, 1, 0}, {}, false};
+    input.pattern.seams = {{"s", {{0, 1}}, {{1, 3}}, false}};
+    input.notions.creases = {{"c", piece, {piece == 0 ? 1 : 3}, {}, -kHalfTurn / 2, 0.05}};
+    input.settings.until_settled = false;
+    input.settings.max_time = 2;
+    const drape::DrapeResult r = drape::drape(input, {}, nullptr).value();
+    EXPECT_LT(r.rms_speed, 0.005);
+    expect_clean(r);
+    const auto at = [&](Index panel, Vec2 p) { return place_of(input, r, {panel, p}); };
+    const Vec3 left = normalized(at(0, {0.025, 0.03}) - at(0, {-0.025, 0.03}));
+    const Vec3 right = normalized(at(1, {0.025, 0.03}) - at(1, {-0.025, 0.03}));
+    EXPECT_NEAR(std::acos(dot(left, right)) * 180 / kHalfTurn, 90, 5) << piece;
+    EXPECT_GT(cross(right, left).y, 0) << "the side that is up in the flat piece comes inside";
+  }
 }
 
 constexpr double kWidth = 0.08, kLength = 0.32;  // m
@@ -227,7 +246,7 @@ TEST(Notions, ADrapeWithAllOfThemGoesOnFromACheckpointInTheSameBytes) {
   input.pattern.panels[0].lines = {{"fold", {{-20, 160}, {20, 160}}}};
   input.notions.buttons = {{"tuft", {0, {0, 0.2}}, {1, {0, 0.2}}, 2e-3}};
   input.notions.elastics = {{"band", 1, {1}, {}, 0.8, 5}};
-  input.notions.creases = {{"c", 0, {0}, kHalfTurn / 2, 0.05}};
+  input.notions.creases = {{"c", 0, {}, {0}, kHalfTurn / 2, 0.05}};
   input.settings.air.density = 1.2;
   const drape::DrapeResult whole = drape::drape(input, {}, nullptr).value();
   auto run = drape::DrapeRun::start(input, {}, nullptr).value();

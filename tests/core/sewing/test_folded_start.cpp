@@ -30,13 +30,15 @@ mesh::PanelMesh square_with_line(int column, int rows = kCells) {
   return mesh;
 }
 
-sewing::Crease crease(double degrees) { return {"roll", 0, {0}, radians_from_degrees(degrees), 0.1}; }
+const std::vector<bool> kFree((kCells + 1) * (kCells + 1), false);
+
+sewing::Crease crease(double degrees) { return {"roll", 0, {}, {0}, radians_from_degrees(degrees), 0.1}; }
 
 TEST(FoldedStart, TurnsTheSmallerPartAboutTheCreaseByItsAngle) {
   const mesh::PanelMesh mesh = square_with_line(4);
   const sewing::RigidPlacement standing{{0, 1, 0.2}, {}, false};
   for (const double degrees : {-150.0, -180.0, 150.0}) {
-    const sewing::PlacedPiece placed = sewing::placed_folded(mesh, standing, {crease(degrees)});
+    const sewing::PlacedPiece placed = sewing::placed_folded(mesh, standing, {crease(degrees)}, kFree);
     EXPECT_EQ(placed.turned.size(), static_cast<std::size_t>(kCells));
     const double a = radians_from_degrees(degrees);
     for (std::size_t v = 0; v < mesh.rest.size(); ++v) {
@@ -53,9 +55,54 @@ TEST(FoldedStart, TurnsTheSmallerPartAboutTheCreaseByItsAngle) {
 TEST(FoldedStart, OfAFlippedPieceTheRightSideIsTheOther) {
   const mesh::PanelMesh mesh = square_with_line(4);
   const sewing::PlacedPiece placed =
-      sewing::placed_folded(mesh, sewing::RigidPlacement{{}, {}, true}, {crease(-150)});
+      sewing::placed_folded(mesh, sewing::RigidPlacement{{}, {}, true}, {crease(-150)}, kFree);
   EXPECT_NEAR(placed.positions[kCells].z, -2 * kCell * std::sin(radians_from_degrees(150)), 1e-9)
       << "what turns to the right side goes behind a piece that shows its wrong side";
+}
+
+/// Vertices of the columns from `from` on, rising.
+std::vector<Index> columns(int from) {
+  std::vector<Index> vertices;
+  for (int v = 0; v < (kCells + 1) * (kCells + 1); ++v)
+    if (v % (kCells + 1) >= from) vertices.push_back(static_cast<Index>(v));
+  return vertices;
+}
+
+// A collar of one piece stands up to the crease, and its fall, the larger part, is turned down once it is on.
+TEST(FoldedStart, ALargerPartThatHangsFreeIsPressedBackLater) {
+  const mesh::PanelMesh mesh = square_with_line(2);
+  const sewing::RigidPlacement standing{{0, 1, 0}, {}, false};
+  std::vector<bool> sewn = kFree;
+  sewn[0] = true;
+  const sewing::PlacedPiece collar = sewing::placed_folded(mesh, standing, {crease(-170)}, sewn);
+  EXPECT_EQ(collar.positions, sewing::place(mesh.rest, standing));
+  EXPECT_TRUE(collar.turned.empty());
+  ASSERT_EQ(collar.pressed_back.size(), 1u);
+  EXPECT_EQ(collar.pressed_back[0].along, mesh.line_vertices[0]);
+  EXPECT_EQ(collar.pressed_back[0].fall, columns(3));
+
+  sewn[kCells] = true;  // as a jacket's collar is sewn to its lapels
+  const sewing::PlacedPiece held = sewing::placed_folded(mesh, standing, {crease(-170)}, sewn);
+  EXPECT_TRUE(held.pressed_back.empty());
+  EXPECT_EQ(held.turned.size(), static_cast<std::size_t>(kCells));
+}
+
+TEST(FoldedStart, AlongItsEdgesAPieceIsPressedBackWhole) {
+  mesh::PanelMesh mesh = square_with_line(2);
+  const std::vector<Index> left{0, 7, 14, 21}, on{21, 28, 35, 42};
+  mesh.edge_vertices = {left, on};
+  sewing::Crease seam = crease(-170);
+  seam.edges = {0, 1};
+  seam.lines.clear();
+  const auto placed = [&] { return sewing::placed_folded(mesh, sewing::RigidPlacement{}, {seam}, kFree); };
+  ASSERT_EQ(placed().pressed_back.size(), 1u);
+  EXPECT_EQ(placed().pressed_back[0].along, std::vector<Index>({0, 7, 14, 21, 28, 35, 42}));
+  EXPECT_EQ(placed().pressed_back[0].fall, columns(1));
+  seam.edges = {1, 0};
+  EXPECT_TRUE(placed().pressed_back.empty()) << "edges that do not follow one another";
+  seam.edges = {0};
+  seam.angle = radians_from_degrees(-90);
+  EXPECT_TRUE(placed().pressed_back.empty()) << "it is pressed up, and not over";
 }
 
 TEST(FoldedStart, LeavesFlatWhatIsPressedLessOrPartsNothing) {
@@ -63,11 +110,11 @@ TEST(FoldedStart, LeavesFlatWhatIsPressedLessOrPartsNothing) {
   const mesh::PanelMesh across = square_with_line(4), ending = square_with_line(4, kCells / 2);
   const std::vector<Vec3> flat = sewing::place(across.rest, standing);
   for (const auto& [mesh, degrees] : {std::pair(across, 120.0), std::pair(ending, 170.0)}) {
-    const sewing::PlacedPiece placed = sewing::placed_folded(mesh, standing, {crease(degrees)});
+    const sewing::PlacedPiece placed = sewing::placed_folded(mesh, standing, {crease(degrees)}, kFree);
     EXPECT_EQ(placed.positions, flat) << degrees;
     EXPECT_TRUE(placed.turned.empty()) << degrees;
   }
-  EXPECT_EQ(sewing::placed_folded(across, standing, {crease(170), crease(-170)}).positions, flat)
+  EXPECT_EQ(sewing::placed_folded(across, standing, {crease(170), crease(-170)}, kFree).positions, flat)
       << "one would lift the other off the piece";
 }
 

@@ -56,7 +56,7 @@ TEST(NotionPlaces, AButtonFarBesideIsRefusedWithItsSide) {
 TEST(NotionPlaces, ChainsAreInTheGarmentsVertices) {
   sewing::Notions notions;
   notions.elastics = {{"e", 1, {1, 2}, {0}, 0.8, 10}};
-  notions.creases = {{"c", 1, {0}, 1, 0.1}};
+  notions.creases = {{"c", 1, {}, {0}, 1, 0.1}};
   const sewing::Assembly a = assembled(notions).value();
   EXPECT_EQ(a.notions.elastics[0], (sewing::VertexChains{{5, 6}, {6, 7}, {4, 6}}));
   EXPECT_EQ(a.notions.creases[0], (sewing::VertexChains{{4, 6}}));

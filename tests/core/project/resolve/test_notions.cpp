@@ -109,6 +109,15 @@ TEST(ProjectNotions, NamesThatNothingBearsAreErrorsWithTheirPlace) {
   EXPECT_EQ(error("[[-60, 20], [60, 20]]", "[[-60, 20], [90, 20]]").code, "pattern.bad_line");
 }
 
+TEST(ProjectNotions, AFoldLiesAlongLinesAndEdges) {
+  const std::string lines = R"("lines": ["crease"])";
+  const sewing::Notions n =
+      resolved(changed(example_text(), lines, R"("lines": ["top", "crease"])")).value().notions;
+  ASSERT_EQ(n.creases.size(), 1u);
+  EXPECT_EQ(n.creases[0].edges.size(), 1u);
+  EXPECT_EQ(n.creases[0].lines, std::vector<Index>{0});
+}
+
 TEST(ProjectNotions, TheExampleDrapes) {
   const drape::DrapeInput input = resolve::read_project(kExample).value().input;
   const Result<drape::DrapeResult> draped = drape::drape(input, {}, nullptr);
