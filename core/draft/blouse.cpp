@@ -71,16 +71,33 @@ pattern::Panel placket_of(const Body& b) {
   return piece("placket", out);
 }
 
-/// Rises towards the front, so that it leans to the neck.
-pattern::Panel stand_of(double length, double height) {
-  const double middle = length / 2, rise = 9, top = height - 1;
+/// Rises towards the front, so that it leans to the neck. The fall sits on its "top", as far as the fronts do
+/// not lap over each other.
+pattern::Panel stand_of(double length, double height, double lap) {
+  const double middle = length / 2, rise = 9, top = height - 1, slope = 0.09;
+  const double end = rise + top - slope * lap;
   Outline out({0, rise});
   out.curve("neck", {middle * 0.4, rise * 0.05}, {middle * 0.6, 0}, {middle, 0}).notch(-1e-9);
   out.curve({middle * 1.4, 0}, {middle * 1.6, rise * 0.05}, {length, rise});
-  out.line("end_b", {length - 3, rise + top});
+  out.line("end_b", {length - 3, rise + top}).line("lap_b", {length - 3 - lap, end});
   out.curve("top", {middle * 1.6, height + rise * 0.05}, {middle * 1.4, height}, {middle, height});
-  out.curve({middle * 0.6, height}, {middle * 0.4, height + rise * 0.05}, {3, rise + top});
-  out.line("end_a", {0, rise});
+  out.notch(-1e-9);
+  out.curve({middle * 0.6, height}, {middle * 0.4, height + rise * 0.05}, {3 + lap, end});
+  out.line("lap_a", {3, rise + top}).line("end_a", {0, rise});
+  return piece("collar stand", out);
+}
+
+/// Bent the other way than the stand, so that it falls over it, with points.
+pattern::Panel fall_of(double length, double fall, double scale) {
+  const double middle = length / 2, bend = 8 * scale, lean = 14 * scale, point = fall + 16 * scale;
+  const double back = bend + fall;
+  Outline out({0, 0});
+  out.curve("neck", {middle * 0.4, bend * 0.8}, {middle * 0.6, bend}, {middle, bend}).notch(-1e-9);
+  out.curve({middle * 1.4, bend}, {middle * 1.6, bend * 0.8}, {length, 0});
+  out.line("end_b", {length + lean, point});
+  out.curve("edge", {middle * 1.6, back}, {middle * 1.4, back}, {middle, back});
+  out.curve({middle * 0.6, back}, {middle * 0.4, back}, {-lean, point});
+  out.line("end_a", {0, 0});
   return piece("collar", out);
 }
 
@@ -113,7 +130,8 @@ void sew_body(Garment& g, bool dart) {
 }
 
 void sew_collar(Garment& g) {
-  sew(g, "neck", {{"collar", "neck"}},
+  sew(g, "fall", {{"collar", "neck"}}, {{"collar stand", "top"}});
+  sew(g, "neck", {{"collar stand", "neck"}},
       {{"placket", "top_right"},
        {"right front", "neck"},
        {"back", "neck"},
@@ -152,11 +170,15 @@ Garment draft_blouse(const Wearer& w, const BlouseStyle& s) {
   g.pattern.panels = {left, mirrored(left, "right front"), back, placket_of(b)};
   add_sleeves(g, w, s, left, back);
   const double neck = 2 * length_of(left, {"neck"}) + length_of(back, {"neck"}) + 2 * b.placket;
-  g.pattern.panels.push_back(stand_of(neck, s.stand * scale));
-  g.pattern.panels.back().spacing = 0.010;
+  const pattern::Panel stand = stand_of(neck, s.stand * scale, b.placket);
+  for (const pattern::Panel& p : {stand, fall_of(length_of(stand, {"top"}), s.fall * scale, scale)}) {
+    g.pattern.panels.push_back(p);
+    g.pattern.panels.back().spacing = 0.010;
+  }
   sew_body(g, b.bodice.front.bust_dart > 0);
   sew_collar(g);
-  for (const char* stiff : {"collar", "left cuff", "right cuff", "placket"})
+  g.folds.push_back({"turned collar", "collar", {"neck"}, -170, 100});
+  for (const char* stiff : {"collar stand", "collar", "left cuff", "right cuff", "placket"})
     g.interlinings.push_back({stiff, "interlining"});
   const double quarters = b.bodice.front.bust + b.bodice.back.bust;
   g.girths = {{"bust", w.bust, 2 * quarters}, {"waist", w.waist, 4 * b.waist}, {"hip", w.hip, 4 * b.hip}};

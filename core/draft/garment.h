@@ -37,7 +37,8 @@ struct DraftedButton {
   PiecePoint a, b;
 };
 
-/// Inner lines of a piece along which it is pressed.
+/// Inner lines of a piece along which it is pressed, and edges along which it is pressed to what they are
+/// sewn to.
 struct DraftedFold {
   std::string id, piece;
   std::vector<std::string> lines;

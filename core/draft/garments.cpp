@@ -27,7 +27,7 @@ const std::vector<GarmentKind>& garment_kinds() {
        [](const Wearer& w) { return draft_circle_skirt(w); }},
       {"circle-dress", "Sleeveless dress, a darted bodice over a full circle", "eu38",
        [](const Wearer& w) { return draft_circle_dress(w); }},
-      {"blouse", "Blouse with a stand collar, a placket, set-in sleeves and cuffs", "eu40",
+      {"blouse", "Blouse with a collar on a stand, a placket, set-in sleeves and cuffs", "eu40",
        [](const Wearer& w) { return draft_blouse(w); }},
       {"jacket", "Tailored jacket with lapels, a collar that falls, panel seams and two-piece sleeves",
        "eu40", [](const Wearer& w) { return draft_jacket(w); }},

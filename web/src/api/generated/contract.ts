@@ -3458,13 +3458,13 @@ export interface components {
             /** @description N; tension per strain of the band. Default 20. */
             stiffness_n?: number;
         };
-        /** @description Presses the cloth to an angle along lines. */
+        /** @description Presses the cloth to an angle along lines or seams. */
         fold: {
             /** @description Name that messages use. */
             id: components["schemas"]["text"];
             /** @description Id of a piece. */
             piece: components["schemas"]["text"];
-            /** @description Ids of lines of the piece. */
+            /** @description Ids of lines of the piece, or of edges along which it is pressed to what they are sewn to. */
             lines: components["schemas"]["text"][];
             /** @description Degrees from flat: 180 folds the piece onto itself with the side outside that is up in the flat piece, -180 with that side inside. */
             angle: number;
@@ -3550,7 +3550,7 @@ export interface components {
             buttons?: components["schemas"]["button"][];
             /** @description Bands sewn along edges and lines; they draw in once the garment is sewn. Their ids are unique. */
             elastics?: components["schemas"]["elastic"][];
-            /** @description Creases pressed in along lines of pieces. Their ids are unique. */
+            /** @description Creases pressed in along lines and seams of pieces. Their ids are unique. */
             folds?: components["schemas"]["fold"][];
             /** @description Closed or nearly closed shapes with air inside. Their ids are unique. */
             cushions?: components["schemas"]["cushion"][];
