@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/pattern/seams/cuts.h"
+#include "core/pattern/seams/judge.h"
 #include "core/pattern/seams/moves.h"
 #include "core/pattern/seams/series.h"
 
