@@ -125,7 +125,6 @@ bool GluingJudge::is_parted(const SeamGluing& g, Index r) const {
          (runs_[after].before == r && g.partner[after] != kNone);
 }
 
-/// Each by itself, and the same on mirrored pieces.
 double GluingJudge::pairs(const SeamGluing& g) const {
   double merit = 0;
   for (Index a = 0; a < static_cast<Index>(runs_.size()); ++a) {

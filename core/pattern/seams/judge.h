@@ -20,6 +20,8 @@ class GluingJudge {
   GluingJudge(const SeamModel& model, const GluingSettings& settings);
   /// The merit of all that is sewn together: of its pairs, and of the surface that comes out.
   double merit(const SeamGluing& gluing);
+  /// What of that is of its pairs, each by itself, and the same on mirrored pieces.
+  double pairs(const SeamGluing& gluing) const;
 
  private:
   /// What is asked of a run in every garment, close together in memory.
@@ -43,7 +45,6 @@ class GluingJudge {
   void take(const SeamGluing& g);
   void take_run(const SeamGluing& g, Index r);
   void find_gathered(Index r, Index partner);
-  double pairs(const SeamGluing& g) const;
   bool is_parted(const SeamGluing& g, Index r) const;
   double sides(const SeamGluing& g) const;
   int second_lines_in_rows(const SeamGluing& g) const;

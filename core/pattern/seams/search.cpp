@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/pattern/seams/cuts.h"
-#include "core/pattern/seams/judge.h"
 #include "core/pattern/seams/moves.h"
+#include "core/pattern/seams/remembering_judge.h"
 #include "core/pattern/seams/series.h"
 
 namespace toile::seams {
@@ -22,6 +22,7 @@ constexpr int kTriesPerRun = 2000, kDoubtsPerRun = 25;
 constexpr int kMostWork = 3000000;      // tries times runs, of one search: a jacket takes as long as a shirt
 constexpr std::size_t kManyRuns = 150;  // a whole wardrobe: fewer and shorter searches
 constexpr int kManyRunsWork = 1000000;  // of one of them
+constexpr std::size_t kRemembered = 1 << 14;  // garments: some megabytes
 constexpr double kSameMerit = 1e-6;
 constexpr int kAgree = 2;  // searches that find the same best: others would, too
 
@@ -40,7 +41,7 @@ struct Sewn {
 
 /// The best of what is found on the way from `start` by changing it a little at a time and keeping what is
 /// not much worse; never worse than the start. `judge` is the model's.
-Sewn annealed(const Choices& choices, const Limits& limits, GluingJudge& judge, SeamGluing gluing,
+Sewn annealed(const Choices& choices, const Limits& limits, RememberingJudge& judge, SeamGluing gluing,
               const Effort& effort, const RunContext& context) {
   Sewn best{gluing, judge.merit(gluing)};
   if (choices.open.empty()) return best;
@@ -122,7 +123,7 @@ void lengthen(SeamGluing& g, std::vector<char>& locked, std::size_t runs) {
 
 /// The garment, or a better one that was found by looking what it would be without one of its seams, each in
 /// turn.
-Sewn doubted(const Choices& choices, const Limits& limits, GluingJudge& judge, Sewn garment,
+Sewn doubted(const Choices& choices, const Limits& limits, RememberingJudge& judge, Sewn garment,
              const RunContext& context) {
   const SeamModel& m = choices.model;
   const Effort effort{tries_for(m, kDoubtsPerRun, m.runs.size() / 2), kDoubtThreshold, 7};
@@ -178,7 +179,7 @@ Garment best_with_cuts(const pattern::Pattern& pattern, FoundSeams start, std::v
   const std::size_t sided = (many ? 1 : kSidedRestarts) * sides.size();
   const std::size_t restarts = sided + (many ? 1 : kRestarts);
   const Choices choices = choices_of(start.model, locked);
-  GluingJudge judge(start.model, settings);
+  RememberingJudge judge(start.model, settings, kRemembered);
   Garment best;
   double top = best.merit;
   int agreed = 0;
@@ -250,7 +251,6 @@ double margin_of(const FoundSeam& seam, const FoundSeams& found, const std::vect
   for (const std::vector<Index>* side : {&seam.a, &seam.b})
     for (const Index r : *side) locked[r] = 0;
   const Choices choices = choices_of(found.model, locked);
-  GluingJudge judge(found.model, settings);
   // It turns nothing over: a garment seen in a mirror is no other garment. Nor is one whose band is turned.
   Limits limits = without_pair({false, {}}, found.model, seam.a[0], seam.b[0]);
   // Nor is one whose hood is sewn on half by half.
@@ -263,6 +263,7 @@ double margin_of(const FoundSeam& seam, const FoundSeams& found, const std::vect
     for (const Index x : seam.a)
       for (const Index y : seam.b) limits.forbidden.push_back({x, y});
   const Effort effort{tries_for(found.model, kDoubtsPerRun, found.seams.size()), kDoubtThreshold, 7};
+  RememberingJudge judge(found.model, settings, static_cast<std::size_t>(effort.tries));
   const Sewn other = annealed(choices, limits, judge, std::move(without), effort, context);
   return gluing_merit(found.model, found.gluing, settings) - other.merit;
 }

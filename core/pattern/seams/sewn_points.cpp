@@ -29,7 +29,8 @@ double border_merit(double angle) {
 }  // namespace
 
 SewnPoints::SewnPoints(const SeamModel& model)
-    : next_free_(2 * model.runs.size()),
+    : joined_to_(model.runs.size(), kNone),
+      next_free_(2 * model.runs.size()),
       root_(model.runs.size()),
       lies_(model.runs.size(), 0),
       shuts_arm_(model.runs.size(), 0),
@@ -53,28 +54,40 @@ SewnPoints::SewnPoints(const SeamModel& model)
   }
 }
 
-/// Takes run r from the higher one that it is sewn to.
-void SewnPoints::part(Index r) {
-  const Index other = runs_[r].joined_to;
-  if (other == kNone) return;
-  Index* at = &runs_[other].first_joined;
-  while (*at != r) at = &runs_[*at].other_joined;
-  *at = runs_[r].other_joined;
-  runs_[r].joined_to = kNone;
-  changed_.push_back(other);
+void SewnPoints::join(Index r, const Joint& joint) {
+  changed_.push_back(r);
+  if (runs_[r].joint.other == kNone)
+    runs_[r].joint = joint;
+  else
+    more_.push_back({r, joint});
 }
 
-void SewnPoints::join(Index r, Index other, bool along) {
-  runs_[r].joined_to = other;
-  runs_[r].along = along;
-  runs_[r].other_joined = runs_[other].first_joined;
-  runs_[other].first_joined = r;
-  changed_.push_back(other);
+void SewnPoints::part(Index r, Index other) {
+  changed_.push_back(r);
+  const auto another = [&](auto&& is) { return std::find_if(more_.begin(), more_.end(), is); };
+  Joint& first = runs_[r].joint;
+  if (first.other != other) {
+    more_.erase(another([&](const MoreJoint& m) { return m.run == r && m.joint.other == other; }));
+    return;
+  }
+  first = {};
+  const auto next = another([&](const MoreJoint& m) { return m.run == r; });
+  if (next == more_.end()) return;
+  first = next->joint;
+  more_.erase(next);
 }
 
 void SewnPoints::sew(Index r, Index partner, bool along) {
-  part(r);
-  if (partner > r) join(r, partner, along);
+  Index& joined_to = joined_to_[r];
+  if (joined_to != kNone) {
+    part(r, joined_to);
+    part(joined_to, r);
+  }
+  joined_to = partner > r ? partner : kNone;
+  if (joined_to != kNone) {
+    join(r, {joined_to, along});
+    join(joined_to, {r, along});
+  }
   runs_[r].free = partner == kNone;
   changed_.push_back(r);
 }
@@ -89,9 +102,9 @@ void SewnPoints::gather_corner(Index corner) {
 void SewnPoints::gather(Index end) {
   const Run& run = runs_[run_of(end)];
   if (run.free) free_.push_back(end);
-  if (run.joined_to != kNone) gather_corner(corner_of(met_by(end, run.joined_to, run.along)));
-  for (Index r = run.first_joined; r != kNone; r = runs_[r].other_joined)
-    gather_corner(corner_of(met_by(end, r, runs_[r].along)));
+  if (run.joint.other != kNone) gather_corner(corner_of(met_by(end, run.joint)));
+  for (const MoreJoint& more : more_)
+    if (more.run == run_of(end)) gather_corner(corner_of(met_by(end, more.joint)));
 }
 
 /// The merit of the point whose corners and free ends are in `point_` and `free_`.

@@ -45,28 +45,36 @@ class SewnPoints {
   /// What of a corner's piece counts, one bit each.
   enum Trait : unsigned char { kCut = 1, kLegs = 2, kFront = 4, kBack = 8, kOther = 16 };
 
+  /// What else a run's corners are joined to.
+  struct Joint {
+    Index other = kNone;
+    bool along = false;  ///< the outlines' direction
+  };
   struct Run {
-    Index next, before;          ///< around its outline
-    Index joined_to = kNone;     ///< the higher run that it is sewn to
-    Index first_joined = kNone;  ///< the first of the lower ones that are sewn to it …
-    Index other_joined = kNone;  ///< … and of these the one after this one
-    bool along = false;          ///< `joined_to` is, the outlines' direction
+    Index next, before;  ///< around its outline
+    Joint joint = {};    ///< the first of its joints; nearly always the only one
     bool free = true;
+  };
+  struct MoreJoint {
+    Index run;
+    Joint joint;
   };
   Index corner_of(Index end) const { return end % 2 == 0 ? run_of(end) : runs_[run_of(end)].next; }
   /// The end of another run that this one of a run is sewn to.
-  static Index met_by(Index end, Index other, bool along) {
-    return 2 * other + (along ? end % 2 : 1 - end % 2);
+  static Index met_by(Index end, const Joint& joint) {
+    return joint.along ? start_of(joint.other) + end % 2 : end_of(joint.other) - end % 2;
   }
-  void part(Index r);
-  void join(Index r, Index other, bool along);
+  void join(Index r, const Joint& joint);
+  void part(Index r, Index other);
   void gather(Index end);
   void gather_corner(Index corner);
   void renew_point(Index corner);
   void judge_point();
 
   std::vector<Run> runs_;
-  std::vector<double> angle_;  ///< of each corner, degrees
+  std::vector<MoreJoint> more_;   ///< of runs that have several
+  std::vector<Index> joined_to_;  ///< of each run: the higher one that it is sewn to; kNone
+  std::vector<double> angle_;     ///< of each corner, degrees
   std::vector<unsigned char> traits_;
   std::vector<Index> next_free_;  ///< of each end
   std::vector<Index> root_;       ///< of each corner
