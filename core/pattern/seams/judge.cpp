@@ -301,11 +301,11 @@ double GluingJudge::gathers() const {
   return std::min(merit, kGarmentWeights.gathers * kGarmentWeights.same_gather);
 }
 
-double GluingJudge::merit(const SeamGluing& g) {
+double GluingJudge::merit(const SeamGluing& g, double pairs) {
   take(g);
   const double middles = outlines_.second_lines() + kGarmentWeights.second_line * second_lines_in_rows(g);
   const Borders around = borders();
-  return pairs(g) + sides_ + limbs(g) + straps(g) + middles + levels(g) + outlines_.free_edges() +
+  return pairs + sides_ + limbs(g) + straps(g) + middles + levels(g) + outlines_.free_edges() +
          points_.merit() + surface(around) + kGarmentWeights.narrow * around.narrow + gathers();
 }
 

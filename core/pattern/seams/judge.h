@@ -19,8 +19,10 @@ class GluingJudge {
  public:
   GluingJudge(const SeamModel& model, const GluingSettings& settings);
   /// The merit of all that is sewn together: of its pairs, and of the surface that comes out.
-  double merit(const SeamGluing& gluing);
-  /// What of that is of its pairs, each by itself, and the same on mirrored pieces.
+  double merit(const SeamGluing& gluing) { return merit(gluing, pairs(gluing)); }
+  /// The same where that of its pairs is known.
+  double merit(const SeamGluing& gluing, double pairs);
+  /// What its pairs are worth, each by itself, and the same on mirrored pieces.
   double pairs(const SeamGluing& gluing) const;
 
  private:

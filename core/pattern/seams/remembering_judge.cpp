@@ -41,7 +41,7 @@ double RememberingJudge::merit(const SeamGluing& g) {
   // What speaks for a pair may differ in its last bit with which of the two came first.
   if (known.hash == hash && known.pairs == pairs && std::equal(key_.begin(), key_.end(), key))
     return known.merit;
-  known = {hash, pairs, judge_.merit(g)};
+  known = {hash, pairs, judge_.merit(g, pairs)};
   std::copy(key_.begin(), key_.end(), key);
   return known.merit;
 }

@@ -13,6 +13,7 @@ SewnPanels::SewnPanels(std::size_t panels)
 
 /// They are neighbours now, or no longer.
 void SewnPanels::flip(Index p, Index q) {
+  counted_ = false;
   beside_[static_cast<std::size_t>(p) * words_ + q / kBits] ^= bit(q);
   if (p != q) beside_[static_cast<std::size_t>(q) * words_ + p / kBits] ^= bit(p);
 }
@@ -26,6 +27,12 @@ void SewnPanels::remove(Index p, Index q) {
 }
 
 int SewnPanels::parts() {
+  if (!counted_) parts_ = count_parts();
+  counted_ = true;
+  return parts_;
+}
+
+int SewnPanels::count_parts() {
   for (std::size_t p = 0; p < panels_; ++p) left_[p / kBits] |= bit(static_cast<Index>(p));
   int parts = 0;
   for (std::size_t first = 0; first < panels_; ++first) {

@@ -30,13 +30,16 @@ class SewnPanels {
                  static_cast<std::size_t>(std::max(p, q))];
   }
   void flip(Index p, Index q);
+  int count_parts();
   static Word bit(Index q) { return Word{1} << (q % kBits); }
 
   std::size_t panels_, words_;
   std::vector<int> runs_;     ///< of each two panels, the lower one's first
   std::vector<Word> beside_;  ///< of each panel: those that it is sewn to
-  std::vector<Word> left_;    ///< panels that no part has yet
-  std::vector<Index> open_;   ///< panels of a part whose neighbours are still to come
+  int parts_ = 0;
+  bool counted_ = false;     ///< `parts_` are those of now
+  std::vector<Word> left_;   ///< panels that no part has yet
+  std::vector<Index> open_;  ///< panels of a part whose neighbours are still to come
 };
 
 }  // namespace toile::seams
