@@ -3,61 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pattern/seams/armholes.h"
-#include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/shapes.h"
 #include "core/pattern/seams/weights.h"
 
 namespace toile::seams {
-namespace {
-
-/// How long the hem of the bodice's pieces is, mm, told by their widths across the grain; 0 where there is no
-/// front or no back, or no telling which way a piece lies.
-double torso_girth(const SeamModel& m) {
-  double girth = 0;
-  bool front = false, back = false;
-  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) {
-    if (m.words[p].kind != PieceKind::kTorso) continue;
-    if (!m.upright[p]) return 0;
-    double low = 1e30, high = -1e30;
-    for (const SeamRun& run : m.runs) {
-      if (run.panel != p) continue;
-      for (const Vec2& at : run.at) {
-        low = std::min(low, cross(m.up[p], at));
-        high = std::max(high, cross(m.up[p], at));
-      }
-    }
-    girth += high - low;
-    front = front || m.words[p].face > 0;
-    back = back || m.words[p].face < 0;
-  }
-  return front && back ? girth : 0;
-}
-
-/// What a border of the bodice alone measures at least, mm.
-double least_border(const SeamModel& m) {
-  const bool wrists = std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& run) {
-    return m.words[run.panel].kind == PieceKind::kTorso && run.up < -kPairWeights.facing &&
-           is_below_arm(m, run);
-  });
-  return std::min(kGarmentWeights.narrow_share * torso_girth(m),
-                  wrists ? kGarmentWeights.wrist_mm : kGarmentWeights.narrow_most_mm);
-}
-
-}  // namespace
 
 GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
     : m_(model),
       settings_(settings),
-      least_border_(least_border(model)),
       points_(model),
+      borders_(model),
       panels_(model.words.size()),
       outlines_(model),
       turned_(model.words.size(), 0),
       sides_(sides(nothing_sewn(model))),
       along_(model.runs.size(), 0),
-      free_(static_cast<int>(model.runs.size())),
-      seen_(model.runs.size(), 0) {
+      free_(static_cast<int>(model.runs.size())) {
   const auto level_of = [&](const SeamRun& run) {
     if (!model.nameless || !model.upright[run.panel]) return 0;
     return run.up > kPairWeights.facing_fully ? 1 : run.up < -kPairWeights.facing_fully ? -1 : 0;
@@ -66,8 +27,7 @@ GluingJudge::GluingJudge(const SeamModel& model, const GluingSettings& settings)
     const SeamRun& run = model.runs[i];
     const PieceWords& words = model.words[run.panel];
     runs_.push_back({run.next, run.panel, model.mirror[i], kNone, run.from > 0 || run.to < 1, run.length,
-                     run.to - run.from, words.kind == PieceKind::kTorso, half_of(model, i), words.face,
-                     level_of(run)});
+                     run.to - run.from, half_of(model, i), words.face, level_of(run)});
     if (words.kind == PieceKind::kSleeve) of_sleeves_.push_back(i);
     if (words.kind == PieceKind::kStrap) of_straps_.push_back(i);
     if (model.rows[run.panel].size > 2) in_rows_.push_back(i);
@@ -94,6 +54,7 @@ void GluingJudge::take_run(const SeamGluing& g, Index r) {
   if (partner == before) return;
   if (before != kNone) panels_.remove(runs_[r].panel, runs_[before].panel);
   if (partner != kNone) panels_.add(runs_[r].panel, runs_[partner].panel);
+  if (partner != kNone) borders_.leave(r);
   free_ += (partner == kNone) - (before == kNone);
   pairs_ += (partner > r) - (before > r);
   outlines_.sew(r, partner);
@@ -116,6 +77,7 @@ void GluingJudge::take(const SeamGluing& g) {
     }
   }
   points_.renew();
+  borders_.renew(points_);
 }
 
 /// Whether the run is sewn, and so is a part of its edge on the other side of a notch.
@@ -229,54 +191,13 @@ double GluingJudge::levels(const SeamGluing& g) {
   return merit;
 }
 
-/// A head and arms must pass through the bodice's openings: whether the border in `border_` is one of the
-/// bodice alone that they do not.
-bool GluingJudge::is_narrow() {
-  if (least_border_ == 0) return false;
-  if (!std::all_of(border_.begin(), border_.end(), [&](Index r) { return runs_[r].torso; })) return false;
-  std::sort(border_.begin(), border_.end());  // lengths are summed in the runs' order
-  double length = 0;
-  for (const Index r : border_) length += runs_[r].length;
-  return length > 0 && length < least_border_;
-}
-
-/// Gathers what comes together with run r to one border, r included.
-void GluingJudge::gather_border(Index r) {
-  seen_[r] = 1;
-  border_.assign(1, r);
-  ends_.assign({SewnPoints::start_of(r), SewnPoints::end_of(r)});
-  while (!ends_.empty()) {
-    const Index end = ends_.back();
-    ends_.pop_back();
-    for (Index other = points_.next_free(end); other != end; other = points_.next_free(other)) {
-      const Index run = SewnPoints::run_of(other);
-      if (seen_[run]) continue;
-      seen_[run] = 1;
-      border_.push_back(run);
-      ends_.push_back(SewnPoints::opposite(other));  // all that lie at this one are on the way
-    }
-  }
-}
-
-GluingJudge::Borders GluingJudge::borders() {
-  Borders borders;
-  seen_.assign(runs_.size(), 0);
-  for (Index r = 0; r < static_cast<Index>(runs_.size()); ++r) {
-    if (seen_[r] || outlines_.partner(r) != kNone) continue;
-    gather_border(r);
-    ++borders.count;
-    borders.narrow += is_narrow();
-  }
-  return borders;
-}
-
 /// Handles, openings and separate parts, from Euler's formula.
-double GluingJudge::surface(const Borders& borders) {
+double GluingJudge::surface() {
   const int panels = static_cast<int>(m_.words.size()), parts = panels_.parts();
   const int edges = free_ + pairs_;
-  const int twice_handles = 2 * parts - (points_.count() - edges + panels) - borders.count;
+  const int twice_handles = 2 * parts - (points_.count() - edges + panels) - borders_.count();
   return kGarmentWeights.handle * twice_handles / 2 + kGarmentWeights.part * (parts - 1) +
-         kGarmentWeights.opening * std::min(kGarmentWeights.openings, borders.count - parts);
+         kGarmentWeights.opening * std::min(kGarmentWeights.openings, borders_.count() - parts);
 }
 
 /// Neighbours that are gathered alike are so by design, unless they mirror each other, which are alike
@@ -304,9 +225,8 @@ double GluingJudge::gathers() const {
 double GluingJudge::merit(const SeamGluing& g, double pairs) {
   take(g);
   const double middles = outlines_.second_lines() + kGarmentWeights.second_line * second_lines_in_rows(g);
-  const Borders around = borders();
   return pairs + sides_ + limbs(g) + straps(g) + middles + levels(g) + outlines_.free_edges() +
-         points_.merit() + surface(around) + kGarmentWeights.narrow * around.narrow + gathers();
+         points_.merit() + surface() + kGarmentWeights.narrow * borders_.narrow() + gathers();
 }
 
 double gluing_merit(const SeamModel& m, const SeamGluing& g, const GluingSettings& settings) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/pattern/seams/gluing.h"
+#include "core/pattern/seams/sewn_borders.h"
 #include "core/pattern/seams/sewn_outlines.h"
 #include "core/pattern/seams/sewn_panels.h"
 #include "core/pattern/seams/sewn_points.h"
@@ -32,14 +33,8 @@ class GluingJudge {
     Index before;  ///< the part of the same edge that ends at a notch where it begins; kNone
     bool cut;      ///< one end is no corner of the drawing
     double length, share;
-    bool torso;      ///< its piece is of the bodice
     int half, face;  ///< half_of() it, and of its piece
     int level;       ///< +1 it faces up along the grain, -1 down; 0 neither, or names tell what hangs where
-  };
-  /// The borders that free runs come together to.
-  struct Borders {
-    int count = 0;
-    int narrow = 0;  ///< of the bodice alone, too short for a head or an arm
   };
   bool along(const SeamGluing& g, Index a, Index b) const {
     return g.turned[runs_[a].panel] != g.turned[runs_[b].panel];
@@ -53,20 +48,17 @@ class GluingJudge {
   double limbs(const SeamGluing& g);
   double straps(const SeamGluing& g);
   double levels(const SeamGluing& g);
-  void gather_border(Index r);
-  Borders borders();
-  bool is_narrow();
-  double surface(const Borders& borders);
+  double surface();
   double gathers() const;
 
   const SeamModel& m_;
   GluingSettings settings_;
   std::vector<Run> runs_;
   std::vector<Index> of_sleeves_, of_straps_, in_rows_, upper_;  ///< runs that limbs(), straps() … are about
-  double least_border_;                                          ///< mm, of the bodice alone
 
   // Of the garment that was judged last.
   SewnPoints points_;
+  SewnBorders borders_;
   SewnPanels panels_;
   SewnOutlines outlines_;
   std::vector<char> turned_;
@@ -80,9 +72,6 @@ class GluingJudge {
   std::vector<Index> mate_;  ///< of each panel of a sleeve: the first of another that it is sewn to
   std::vector<Index> held_;  ///< of each panel of a strap: the first run that it is sewn to
   std::vector<std::array<Index, 2>> hangs_;  ///< panels: the one hangs from the other
-  std::vector<char> seen_;                   ///< of each run: its border is known
-  std::vector<Index> border_;                ///< runs of one …
-  std::vector<Index> ends_;                  ///< … and ends of these that lead on
 };
 
 }  // namespace toile::seams

@@ -142,11 +142,13 @@ void SewnPoints::renew_point(Index corner) {
     shuts_arm_[other] = 0;
   }
   renewed_list_.insert(renewed_list_.end(), point_.begin(), point_.end());
+  renewed_free_.insert(renewed_free_.end(), free_.begin(), free_.end());
   ++count_;
   judge_point();
 }
 
 void SewnPoints::renew() {
+  renewed_free_.clear();
   for (const Index r : changed_)
     for (const Index corner : {r, runs_[r].next})
       if (!renewed_[corner]) renew_point(corner);

@@ -40,6 +40,8 @@ class SewnPoints {
   static constexpr Index opposite(Index end) { return end ^ 1; }
   /// The next free end at the same point, itself where there is no other. REQUIRES a free end.
   Index next_free(Index end) const { return next_free_[end]; }
+  /// The free ends at the points that were renewed last.
+  const std::vector<Index>& renewed_free() const { return renewed_free_; }
 
  private:
   /// What of a corner's piece counts, one bit each.
@@ -86,6 +88,7 @@ class SewnPoints {
   std::vector<Index> changed_;       ///< runs
   std::vector<char> renewed_;        ///< of each corner
   std::vector<Index> renewed_list_;  ///< those
+  std::vector<Index> renewed_free_;
   std::vector<Index> point_, free_;  ///< corners and free ends of one point
 };
 
