@@ -6,14 +6,14 @@
 
 namespace toile::seams {
 
-RememberingJudge::RememberingJudge(const SeamModel& model, const GluingSettings& settings,
-                                   std::size_t garments)
+RememberingJudge::RememberingJudge(const SeamModel& model, const GluingSettings& settings, std::size_t bytes)
     : judge_(model, settings),
       runs_(model.runs.size()),
       words_((runs_ * sizeof(Index) + model.words.size() + sizeof(std::uint64_t) - 1) /
              sizeof(std::uint64_t)),
       key_(words_, 0),
-      known_(std::bit_ceil(garments)),
+      known_(
+          std::max<std::size_t>(1, std::bit_floor(bytes / (sizeof(Known) + words_ * sizeof(std::uint64_t))))),
       keys_(known_.size() * words_) {}
 
 void RememberingJudge::write_key(const SeamGluing& g) {
@@ -23,7 +23,7 @@ void RememberingJudge::write_key(const SeamGluing& g) {
 }
 
 std::uint64_t RememberingJudge::hash_of_key() const {
-  std::uint64_t hash = 1;  // never that of a place where nothing is known yet, but for one in 2⁶⁴
+  std::uint64_t hash = 1;  // as of no place where nothing is known yet
   for (const std::uint64_t word : key_) {
     hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
     hash ^= hash >> 32;

@@ -13,8 +13,8 @@ namespace toile::seams {
 /// was found of those last is kept. The model must outlive it.
 class RememberingJudge {
  public:
-  /// Remembers some `garments` at most.
-  RememberingJudge(const SeamModel& model, const GluingSettings& settings, std::size_t garments);
+  /// Remembers as many garments as fit into that memory.
+  RememberingJudge(const SeamModel& model, const GluingSettings& settings, std::size_t bytes);
   double merit(const SeamGluing& gluing);
 
  private:

@@ -25,9 +25,9 @@ constexpr int kTriesPerRun = 2000, kDoubtsPerRun = 25;
 constexpr int kMostWork = 3000000;      // tries times runs, of one search: a jacket takes as long as a shirt
 constexpr std::size_t kManyRuns = 150;  // a whole wardrobe: fewer and shorter searches
 constexpr int kManyRunsWork = 1000000;  // of one of them
-constexpr std::size_t kRemembered = 1 << 14;  // garments: some megabytes
-constexpr int kMostThreads = 7;               // ways to cut the edges
-constexpr double kShareOfGarments = 0.7;      // of the progress; the rest is that of margins
+constexpr std::size_t kMemory = 8 << 20, kMarginMemory = 1 << 18;  // bytes, of one search
+constexpr int kMostThreads = 7;                                    // ways to cut the edges
+constexpr double kShareOfGarments = 0.7;  // of the progress; the rest is that of margins
 constexpr double kSameMerit = 1e-6;
 constexpr int kAgree = 2;  // searches that find the same best: others would, too
 
@@ -184,7 +184,7 @@ Garment best_with_cuts(const pattern::Pattern& pattern, FoundSeams start, std::v
   const std::size_t sided = (many ? 1 : kSidedRestarts) * sides.size();
   const std::size_t restarts = sided + (many ? 1 : kRestarts);
   const Choices choices = choices_of(start.model, locked);
-  RememberingJudge judge(start.model, settings, kRemembered);
+  RememberingJudge judge(start.model, settings, kMemory);
   Garment best;
   double top = best.merit;
   int agreed = 0;
@@ -298,7 +298,7 @@ double margin_of(const FoundSeam& seam, const FoundSeams& found, const std::vect
     for (const Index x : seam.a)
       for (const Index y : seam.b) limits.forbidden.push_back({x, y});
   const Effort effort{tries_for(found.model, kDoubtsPerRun, found.seams.size()), kDoubtThreshold, 7};
-  RememberingJudge judge(found.model, settings, static_cast<std::size_t>(effort.tries));
+  RememberingJudge judge(found.model, settings, kMarginMemory);
   const Sewn other = annealed(choices, limits, judge, std::move(without), effort, context);
   return gluing_merit(found.model, found.gluing, settings) - other.merit;
 }
