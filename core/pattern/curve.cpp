@@ -69,7 +69,10 @@ double arc_length(const PanelEdge& edge) {
 }
 
 double parameter_at_length(const CubicBezier& c, double s) {
-  const double whole = arc_length(c);
+  return parameter_at_length(c, s, arc_length(c));
+}
+
+double parameter_at_length(const CubicBezier& c, double s, double whole) {
   if (!(s > 0)) return 0;
   if (s >= whole) return 1;
   // Newton on the length, kept between bounds that bisect where the speed vanishes.
@@ -88,7 +91,7 @@ double parameter_at_length(const CubicBezier& c, double s) {
 Vec2 point_at_length(const PanelEdge& edge, double s) {
   for (const CubicBezier& c : edge.curves) {
     const double l = arc_length(c);
-    if (s <= l) return evaluate(c, parameter_at_length(c, s));
+    if (s <= l) return evaluate(c, parameter_at_length(c, s, l));
     s -= l;
   }
   return edge.curves.back().p3;

@@ -27,6 +27,8 @@ double arc_length(const PanelEdge& edge);
 
 /// The parameter at distance `s` along the curve from its start; clamped to [0, 1].
 double parameter_at_length(const CubicBezier& curve, double s);
+/// The same where the curve's arc_length() is known.
+double parameter_at_length(const CubicBezier& curve, double s, double whole);
 
 /// The point at distance `s` along the edge from its start; clamped to its ends. REQUIRES edge.curves not
 /// empty.

@@ -54,7 +54,7 @@ class Mover {
         const Nearness near = field_.nearness(i, {}, o, kLeastGap, 0);
         if (near.gap < kLeastGap) found.push_back({i, o, near});
       }
-      const Nearness itself = field_.nearness(i, {}, {false, i}, kLeastGap, 0);
+      const Nearness itself = field_.to_itself(i);
       if (itself.crosses || itself.gap < collision::kContactFloor) found.push_back({i, {false, i}, itself});
     }
     return found;

@@ -69,7 +69,6 @@ Nearness StartField::nearness(Index piece, Vec3 extra, const Opponent& opponent,
   const Piece& p = pieces_[piece];
   const Vec3 at = on_exact_grid(p.shift + extra);
   if (opponent.is_body) return to_body(p, at, probes_[opponent.index], reach, enough);
-  if (opponent.index == piece) return to_itself(p);
   return to_piece(p, at, pieces_[opponent.index], reach, enough);
 }
 
@@ -138,7 +137,7 @@ Nearness StartField::to_piece(const Piece& p, Vec3 at, const Piece& q, double re
 }
 
 /// A piece against itself: only what crosses or touches without being neighbours in the flat.
-Nearness StartField::to_itself(const Piece& p) const {
+Nearness StartField::look_at_itself(const Piece& p) const {
   Nearness near;
   const sewing::GarmentMesh& g = assembly_.garment;
   p.tree.self_pairs([&](Index i, Index j) {
@@ -147,9 +146,17 @@ Nearness StartField::to_itself(const Piece& p) const {
     const double gap = cloth_gap(s, {}, t, {}, crosses);
     const double flat = length(g.rest[g.triangles[s][0]] - g.rest[g.triangles[t][0]]);
     if (crosses || (gap < near.gap && flat > kSameFold && !near.crosses)) {
-      near = {gap, crosses, false, position(g.triangles[s][0], p.shift)};
+      near = {gap, crosses, false, assembly_.positions[g.triangles[s][0]]};
     }
   });
+  return near;
+}
+
+Nearness StartField::to_itself(Index piece) {
+  Piece& p = pieces_[piece];
+  if (!p.to_itself) p.to_itself = look_at_itself(p);
+  Nearness near = *p.to_itself;
+  near.place += p.shift;
   return near;
 }
 

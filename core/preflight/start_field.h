@@ -3,6 +3,7 @@
 // without building anything anew.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,10 +44,13 @@ class StartField {
   double area(Index piece) const { return pieces_[piece].area; }  ///< m²
   Vec3 normal(Index piece) const { return pieces_[piece].normal; }
 
-  /// The gap of `piece`, moved by `extra` from where it stands, to `opponent`. Looks no farther than `reach`
-  /// (m) and stops at the first crossing, or gap under `enough`. What is sewn together counts as one vertex
-  /// there and has no gap to itself; so do the two features next to it.
+  /// The gap of `piece`, moved by `extra` from where it stands, to another `opponent`. Looks no farther than
+  /// `reach` (m) and stops at the first crossing, or gap under `enough`. What is sewn together counts as one
+  /// vertex there and has no gap to itself; so do the two features next to it.
   Nearness nearness(Index piece, Vec3 extra, const Opponent& opponent, double reach, double enough) const;
+
+  /// The gap of `piece` to itself, which is looked for once: it stays the same wherever the piece stands.
+  Nearness to_itself(Index piece);
 
   /// All whose boxes come within `reach` (m) of the piece moved by `extra`: bodies first.
   std::vector<Opponent> neighbours(Index piece, Vec3 extra, double reach) const;
@@ -58,13 +62,14 @@ class StartField {
     geometry::Box3 box;
     Vec3 shift, centre, half_size, normal;
     double area = 0;
-    Index inner_vertex = kNone;  ///< one of its vertices
+    Index inner_vertex = kNone;         ///< one of its vertices
+    std::optional<Nearness> to_itself;  ///< where it was placed
   };
 
   void add_piece(Index piece);
   Nearness to_body(const Piece& p, Vec3 at, const BodyProbe& probe, double reach, double enough) const;
   Nearness to_piece(const Piece& p, Vec3 at, const Piece& q, double reach, double enough) const;
-  Nearness to_itself(const Piece& p) const;
+  Nearness look_at_itself(const Piece& p) const;
   Vec3 position(Index vertex, Vec3 at) const { return assembly_.positions[vertex] + at; }
   Index class_of(Index vertex) const { return assembly_.garment.weld[vertex]; }
   double cloth_gap(Index s, Vec3 at_s, Index t, Vec3 at_t, bool& crosses) const;

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "core/base/aabb.h"
+#include "core/base/processors.h"
 #include "core/base/text.h"
 #include "core/base/write_file.h"
 #include "core/body/measure/stance.h"
@@ -115,7 +116,7 @@ Result<create::NewProject> make(const ProjectNewOptions& options) {
   settings.body_file = fs::path(options.body).filename().string();
   settings.body = body.box;
   if (!options.no_seams) settings.accept_seams = options.accept_seams;
-  Result<create::NewProject> made = create::new_project(text, settings);
+  Result<create::NewProject> made = create::new_project(text, settings, on_all_processors());
   if (made) {
     place_body(body, *made);
     return made;

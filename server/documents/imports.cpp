@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/names.h"
+#include "core/base/processors.h"
 #include "core/base/rounded.h"
 #include "core/json/tree.h"
 #include "core/pattern/curve.h"
@@ -138,7 +139,9 @@ Result<json::JsonValue> import_dxf(const std::string& bytes, const ImportWishes&
     return json::error_at(is_of_layers ? "/layers" : clipped(asset.name), drawing.error());
   }
   std::optional<create::NewProject> made;
-  if (Result<create::NewProject> project = create::new_project(*drawing, project_of(asset)); project)
+  if (Result<create::NewProject> project =
+          create::new_project(*drawing, project_of(asset), on_all_processors());
+      project)
     made = std::move(*project);  // else the report tells of each piece that cannot be cut
   std::vector<Pictured> pictures;
   for (const dxf::DxfPiece& piece : drawing->pieces)
@@ -154,7 +157,7 @@ Result<json::JsonValue> import_specification(const std::string& bytes, const Imp
   if (!wishes.unit.empty()) return Error{"documents.unit", "a specification says its unit itself", "/unit"};
   if (!wishes.size.empty()) return Error{"documents.size", "a specification has one size", "/size"};
   if (!wishes.layers.empty()) return Error{"documents.layers", "a specification has no layers", "/layers"};
-  Result<create::NewProject> made = create::new_project(bytes, project_of(asset));
+  Result<create::NewProject> made = create::new_project(bytes, project_of(asset), on_all_processors());
   if (!made) return json::error_at(clipped(asset.name), made.error());
   std::vector<Pictured> pictures;
   for (const pattern::Panel& panel : made->pattern.panels) pictures.push_back({panel, std::nullopt});

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/base/processors.h"
 #include "core/json/tree.h"
 #include "core/pattern/seams/propose.h"
 #include "core/project/create/create.h"
@@ -9,7 +10,8 @@
 namespace toile::documents {
 
 std::string proposals_json(const pattern::Pattern& pattern) {
-  std::vector<json::JsonValue> proposals = create::proposals_json(pattern, seams::propose_seams(pattern));
+  std::vector<json::JsonValue> proposals =
+      create::proposals_json(pattern, seams::propose_seams(pattern, {}, on_all_processors()));
   return json::write_json_line(std::vector<json::JsonMember>{{"proposals", std::move(proposals)}}) + "\n";
 }
 

@@ -1,5 +1,6 @@
 // The free borders of what is sewn together.
 
+#include "core/base/disjoint_sets.h"
 #include "core/pattern/seams/gluing.h"
 
 namespace toile::seams {

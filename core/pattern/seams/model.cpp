@@ -9,9 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/aabb.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/pattern/curve.h"
+#include "core/pattern/edge_ruler.h"
 #include "core/pattern/seams/likeness.h"
 #include "core/pattern/seams/named_by_shape.h"
 #include "core/pattern/seams/named_layers.h"
@@ -32,13 +34,11 @@ double degrees_between(Vec2 from, Vec2 to) {
 /// How far along a run its direction at the ends is measured, mm: past the rounding of a drawn corner.
 double end_reach(double length) { return std::min(2.0, length / 4); }
 
-void measure(const pattern::PanelEdge& edge, SeamRun& run) {
-  const double whole = pattern::arc_length(edge);
-  const double start = run.from * whole;
-  run.length = (run.to - run.from) * whole;
+void measure(const pattern::EdgeRuler& edge, SeamRun& run) {
+  const double start = run.from * edge.length();
+  run.length = (run.to - run.from) * edge.length();
   for (std::size_t i = 0; i < SeamRun::kSamples; ++i)
-    run.at[i] =
-        pattern::point_at_length(edge, start + run.length * static_cast<double>(i) / (SeamRun::kSamples - 1));
+    run.at[i] = edge.at(start + run.length * static_cast<double>(i) / (SeamRun::kSamples - 1));
   const Vec2 chord = run.at[SeamRun::kSamples - 1] - run.at[0];
   run.straight = true;
   for (const Vec2 p : run.at)
@@ -53,30 +53,36 @@ void measure(const pattern::PanelEdge& edge, SeamRun& run) {
   }
 }
 
+/// Whether the point may be less than `near` (mm) from the edge, whose curves lie within their handles'
+/// boxes.
+bool may_be_near(const pattern::PanelEdge& edge, Vec2 at, double near) {
+  return std::any_of(edge.curves.begin(), edge.curves.end(), [&](const pattern::CubicBezier& c) {
+    const Aabb2 box = bounding_box(std::array{c.p0, c.p1, c.p2, c.p3});
+    return at.x > box.low.x - near && at.x < box.high.x + near && at.y > box.low.y - near &&
+           at.y < box.high.y + near;
+  });
+}
+
 /// Notches within 3 mm of the edge, as distances from its start.
-std::vector<double> notches_on(const pattern::Panel& panel, const pattern::PanelEdge& edge) {
-  constexpr double kNear = 3, kStep = 1, kFine = 0.05;  // mm
+std::vector<double> notches_on(const pattern::Panel& panel, const pattern::PanelEdge& edge,
+                               const pattern::EdgeRuler& ruler) {
+  constexpr double kNear = 3, kRounding = 1, kStep = 1, kFine = 0.05;  // mm
   std::vector<double> found;
-  const double whole = pattern::arc_length(edge);
+  const double whole = ruler.length();
   for (const pattern::Notch& notch : panel.notches) {
+    if (!may_be_near(edge, notch.at, kNear + kRounding)) continue;
     double best = kNear, where = -1;
-    const int steps = std::clamp(static_cast<int>(whole / kStep), 2, 2000);
-    for (int i = 0; i <= steps; ++i) {
-      const double s = whole * i / steps;
-      const double d = length(pattern::point_at_length(edge, s) - notch.at);
-      if (d < best) {
-        best = d;
-        where = s;
-      }
-    }
-    if (where <= kNear || where >= whole - kNear) continue;
-    const double rough = where;
-    for (double s = rough - kStep; s < rough + kStep; s += kFine) {
-      const double d = length(pattern::point_at_length(edge, s) - notch.at);
-      if (d >= best) continue;
+    const auto look_at = [&](double s) {
+      const double d = length(ruler.at(s) - notch.at);
+      if (d >= best) return;
       best = d;
       where = s;
-    }
+    };
+    const int steps = std::clamp(static_cast<int>(whole / kStep), 2, 2000);
+    for (int i = 0; i <= steps; ++i) look_at(whole * i / steps);
+    if (where <= kNear || where >= whole - kNear) continue;
+    const double rough = where;
+    for (double s = rough - kStep; s < rough + kStep; s += kFine) look_at(s);
     found.push_back(where);
   }
   std::sort(found.begin(), found.end());
@@ -93,10 +99,11 @@ void add_panel(const pattern::Panel& panel, Index index, SeamModel& model) {
     run.edge = static_cast<Index>(e);
     run.fold = edges[e].id == pattern::kFoldEdge;
     run.next = first + static_cast<Index>((e + 1) % count);
-    measure(edges[e], run);
+    const pattern::EdgeRuler ruler(edges[e]);
+    measure(ruler, run);
     run.up = dot(normalized(-perpendicular(run.at.back() - run.at.front())), model.up[index]);
     run.angle = corner_angle(edges[(e + count - 1) % count], edges[e]);
-    if (!panel.notches.empty()) run.notches = notches_on(panel, edges[e]);
+    if (!panel.notches.empty()) run.notches = notches_on(panel, edges[e], ruler);
     model.runs.push_back(std::move(run));
   }
 }
@@ -322,7 +329,7 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
 
 SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r,
                     const std::vector<double>& cuts) {
-  const pattern::PanelEdge& edge = pattern.panels[model.runs[r].panel].outline.edges[model.runs[r].edge];
+  const pattern::EdgeRuler edge(pattern.panels[model.runs[r].panel].outline.edges[model.runs[r].edge]);
   const SeamRun whole = model.runs[r];
   const double per_mm = (whole.to - whole.from) / whole.length;
   Index at = r;

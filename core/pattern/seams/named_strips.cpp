@@ -114,7 +114,7 @@ void name_strips(SeamModel& m, const StripPlaces& around) {
 
 void name_lone_neckband(SeamModel& m, double neck) {
   using enum PieceKind;
-  constexpr double kSlim = 6, kFits[2] = {0.75, 1.02};  // times as long as wide; as the neck, of knits
+  constexpr double kSlim = 6, kOfNeck[2] = {0.75, 1.02};  // times as long as wide; as the neck, of knits
   const bool other = std::any_of(m.words.begin(), m.words.end(),
                                  [](const PieceWords& w) { return is_neck(w.kind) && !w.layer; });
   if (other || neck == 0) return;
@@ -123,7 +123,7 @@ void name_lone_neckband(SeamModel& m, double neck) {
     const PieceWords& words = m.words[p];
     const double ratio = strip_length(m, p, kSlim) / neck;
     const bool told = words.kind != kOther || words.layer || words.hem_band || words.face != 0;
-    if (!told && ratio > kFits[0] && ratio < kFits[1]) fits.push_back(p);
+    if (!told && ratio > kOfNeck[0] && ratio < kOfNeck[1]) fits.push_back(p);
   }
   if (fits.size() != 1) return;
   m.words[fits.front()].guess(kCollar);

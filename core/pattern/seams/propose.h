@@ -37,7 +37,8 @@ bool runs_clockwise(std::span<const Vec2> outline);
 /// right, front, back, or a kind of piece, where they do. Confidence is how much worse the best garment
 /// without the seam would be, and lower where few names say what is what, where cloth lies on cloth or two
 /// pieces have one role, and for collars. Seams may join parts of edges. The order of the pieces does not
-/// matter. REQUIRES a pattern that validate() accepts. Some 0.1 to 4 s; a cancelled run proposes nothing.
+/// matter, nor does the number of threads. REQUIRES a pattern that validate() accepts. Some 0.1 to 4 s; a
+/// cancelled run proposes nothing.
 std::vector<SeamProposal> propose_seams(const pattern::Pattern& pattern,
                                         const ProposalSettings& settings = {},
                                         const RunContext& context = {});

@@ -1,13 +1,17 @@
 #include "core/pattern/seams/search.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <thread>
 #include <utility>
 
+#include "core/base/crew.h"
 #include "core/pattern/seams/cuts.h"
 #include "core/pattern/seams/moves.h"
+#include "core/pattern/seams/remembering_judge.h"
 #include "core/pattern/seams/series.h"
 
 namespace toile::seams {
@@ -21,6 +25,9 @@ constexpr int kTriesPerRun = 2000, kDoubtsPerRun = 25;
 constexpr int kMostWork = 3000000;      // tries times runs, of one search: a jacket takes as long as a shirt
 constexpr std::size_t kManyRuns = 150;  // a whole wardrobe: fewer and shorter searches
 constexpr int kManyRunsWork = 1000000;  // of one of them
+constexpr std::size_t kMemory = 8 << 20, kMarginMemory = 1 << 18;  // bytes, of one search
+constexpr int kMostThreads = 7;                                    // ways to cut the edges
+constexpr double kShareOfGarments = 0.7;  // of the progress; the rest is that of margins
 constexpr double kSameMerit = 1e-6;
 constexpr int kAgree = 2;  // searches that find the same best: others would, too
 
@@ -39,7 +46,7 @@ struct Sewn {
 
 /// The best of what is found on the way from `start` by changing it a little at a time and keeping what is
 /// not much worse; never worse than the start. `judge` is the model's.
-Sewn annealed(const Choices& choices, const Limits& limits, GluingJudge& judge, SeamGluing gluing,
+Sewn annealed(const Choices& choices, const Limits& limits, RememberingJudge& judge, SeamGluing gluing,
               const Effort& effort, const RunContext& context) {
   Sewn best{gluing, judge.merit(gluing)};
   if (choices.open.empty()) return best;
@@ -121,7 +128,7 @@ void lengthen(SeamGluing& g, std::vector<char>& locked, std::size_t runs) {
 
 /// The garment, or a better one that was found by looking what it would be without one of its seams, each in
 /// turn.
-Sewn doubted(const Choices& choices, const Limits& limits, GluingJudge& judge, Sewn garment,
+Sewn doubted(const Choices& choices, const Limits& limits, RememberingJudge& judge, Sewn garment,
              const RunContext& context) {
   const SeamModel& m = choices.model;
   const Effort effort{tries_for(m, kDoubtsPerRun, m.runs.size() / 2), kDoubtThreshold, 7};
@@ -177,7 +184,7 @@ Garment best_with_cuts(const pattern::Pattern& pattern, FoundSeams start, std::v
   const std::size_t sided = (many ? 1 : kSidedRestarts) * sides.size();
   const std::size_t restarts = sided + (many ? 1 : kRestarts);
   const Choices choices = choices_of(start.model, locked);
-  GluingJudge judge(start.model, settings);
+  RememberingJudge judge(start.model, settings, kMemory);
   Garment best;
   double top = best.merit;
   int agreed = 0;
@@ -210,27 +217,57 @@ std::vector<double> cuts_of(const SeamModel& m) {
   return ends;
 }
 
-/// The best garment over all ways to cut the edges; `start` when nothing is better.
-FoundSeams best_garment(const pattern::Pattern& pattern, const FoundSeams& start,
-                        const std::vector<char>& locked, const GluingSettings& settings,
-                        const RunContext& context) {
-  Garment best{start, gluing_merit(start.model, start.gluing, settings)};
-  const auto consider = [&](FoundSeams cut) {
-    Garment garment = best_with_cuts(pattern, std::move(cut), locked, settings, context);
-    if (garment.merit > best.merit) best = std::move(garment);
-  };
-  consider(start);
+/// The garment with its edges cut in every way that differs from the others, as it is first.
+std::vector<FoundSeams> ways_to_cut(const pattern::Pattern& pattern, const FoundSeams& start) {
+  std::vector<FoundSeams> ways{start};
   std::vector<std::vector<double>> known{cuts_of(start.model)};
   for (const CutKind kind : {CutKind::kDarts, CutKind::kExactFirst, CutKind::kExactSecond,
                              CutKind::kFirstFirst, CutKind::kSecondFirst, CutKind::kNotches}) {
-    context.progress("seams", 0.1 * static_cast<double>(1 + static_cast<int>(kind)));
     FoundSeams cut = start;
     cut.model = with_likely_cuts(pattern, start.model, kind);
     std::vector<double> cuts = cuts_of(cut.model);
     if (std::find(known.begin(), known.end(), cuts) != known.end()) continue;
     known.push_back(std::move(cuts));
-    consider(std::move(cut));
+    ways.push_back(std::move(cut));
   }
+  return ways;
+}
+
+/// Tells of `count` parts of work that are done side by side how many are done. The context is told on its
+/// own thread alone.
+class PartsProgress {
+ public:
+  PartsProgress(const RunContext& context, std::size_t count, double from, double to)
+      : context_(context), count_(count), from_(from), to_(to) {}
+  void one_done() {
+    const int done = ++done_;
+    if (std::this_thread::get_id() != home_) return;
+    context_.progress("seams", from_ + (to_ - from_) * done / static_cast<double>(count_));
+  }
+
+ private:
+  const RunContext& context_;
+  std::size_t count_;
+  double from_, to_;
+  std::atomic<int> done_ = 0;
+  std::thread::id home_ = std::this_thread::get_id();
+};
+
+/// The best garment over all ways to cut the edges; `start` when nothing is better.
+FoundSeams best_garment(const pattern::Pattern& pattern, const FoundSeams& start,
+                        const std::vector<char>& locked, const GluingSettings& settings,
+                        const RunContext& context, Crew& crew) {
+  std::vector<FoundSeams> ways = ways_to_cut(pattern, start);
+  std::vector<Garment> garments(ways.size());
+  PartsProgress progress(context, ways.size(), 0, kShareOfGarments);
+  crew.each(static_cast<int>(ways.size()), [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    garments[k] = best_with_cuts(pattern, std::move(ways[k]), locked, settings, context);
+    progress.one_done();
+  });
+  Garment best{start, gluing_merit(start.model, start.gluing, settings)};
+  for (Garment& garment : garments)
+    if (garment.merit > best.merit) best = std::move(garment);
   return std::move(best.found);
 }
 
@@ -249,7 +286,6 @@ double margin_of(const FoundSeam& seam, const FoundSeams& found, const std::vect
   for (const std::vector<Index>* side : {&seam.a, &seam.b})
     for (const Index r : *side) locked[r] = 0;
   const Choices choices = choices_of(found.model, locked);
-  GluingJudge judge(found.model, settings);
   // It turns nothing over: a garment seen in a mirror is no other garment. Nor is one whose band is turned.
   Limits limits = without_pair({false, {}}, found.model, seam.a[0], seam.b[0]);
   // Nor is one whose hood is sewn on half by half.
@@ -262,6 +298,7 @@ double margin_of(const FoundSeam& seam, const FoundSeams& found, const std::vect
     for (const Index x : seam.a)
       for (const Index y : seam.b) limits.forbidden.push_back({x, y});
   const Effort effort{tries_for(found.model, kDoubtsPerRun, found.seams.size()), kDoubtThreshold, 7};
+  RememberingJudge judge(found.model, settings, kMarginMemory);
   const Sewn other = annealed(choices, limits, judge, std::move(without), effort, context);
   return gluing_merit(found.model, found.gluing, settings) - other.merit;
 }
@@ -279,18 +316,21 @@ FoundSeams search_seams(const pattern::Pattern& pattern, const std::vector<std::
     found.gluing.sew(a, b, pair_merit(found.model, a, b));
     locked[a] = locked[b] = 1;
   }
-  found = best_garment(pattern, found, locked, settings, context);
+  Crew crew(std::min(context.threads, kMostThreads));
+  found = best_garment(pattern, found, locked, settings, context, crew);
   locked.resize(found.model.runs.size(), 0);
   for (const FoundSeam& seam : found.seams) {
     if (seam.a.size() < 2) continue;  // cut runs stay as they are
     for (const std::vector<Index>* side : {&seam.a, &seam.b})
       for (const Index r : *side) locked[r] = 1;
   }
-  for (std::size_t k = 0; k < found.seams.size() && !context.cancelled(); ++k) {
-    found.seams[k].margin = margin_of(found.seams[k], found, locked, settings, context);
-    context.progress("seams",
-                     0.7 + 0.3 * static_cast<double>(k + 1) / static_cast<double>(found.seams.size()));
-  }
+  PartsProgress progress(context, found.seams.size(), kShareOfGarments, 1);
+  crew.each(static_cast<int>(found.seams.size()), [&](int k) {
+    if (context.cancelled()) return;
+    FoundSeam& seam = found.seams[static_cast<std::size_t>(k)];
+    seam.margin = margin_of(seam, found, locked, settings, context);
+    progress.one_done();
+  });
   return found;
 }
 

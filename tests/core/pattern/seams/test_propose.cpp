@@ -230,9 +230,14 @@ TEST(ProposeSeams, AreSureInAWardrobeOnlyOfTrueSeamsWithinAGarment) {
   }
 }
 
-TEST(ProposeSeams, GiveTheSameAnswerEveryTime) {
+TEST(ProposeSeams, GiveTheSameAnswerEveryTimeAndWithSeveralThreads) {
   const pattern::Pattern pattern = pattern_of(garments::trousers());
-  const auto once = seams::propose_seams(pattern), twice = seams::propose_seams(pattern);
+  std::vector<double> told;
+  RunContext context;
+  context.threads = 3;
+  context.on_progress = [&](const Progress& progress) { told.push_back(progress.fraction); };
+  const auto once = seams::propose_seams(pattern), twice = seams::propose_seams(pattern, {}, context);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   ASSERT_EQ(once.size(), twice.size());
   for (std::size_t i = 0; i < once.size(); ++i) {
     EXPECT_EQ(once[i].confidence, twice[i].confidence);
