@@ -18,6 +18,7 @@
 #include "core/pattern/seams/named_by_shape.h"
 #include "core/pattern/seams/named_layers.h"
 #include "core/pattern/seams/named_strips.h"
+#include "core/pattern/seams/piece_language.h"
 #include "core/pattern/seams/piece_up.h"
 #include "core/pattern/seams/roles.h"
 #include "core/pattern/seams/second_layers.h"
@@ -276,6 +277,21 @@ int hangs_from(const SeamModel& m, Index lower, Index upper) {
              : hangs_from(x.kind, y.kind);
 }
 
+namespace {
+
+bool opens_below_neck(const pattern::Pattern& pattern, const SeamModel& m) {
+  for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) {
+    const PieceWords& words = m.words[p];
+    const bool half = m.twin[p] != kNone && m.twin[p] != p;
+    if (words.kind == PieceKind::kTorso && words.face > 0 && !words.layer && half) return true;
+    const std::vector<std::string> name = words_of_piece(pattern.panels[p].id);
+    if (words.kind != PieceKind::kTorso && std::count(name.begin(), name.end(), "placket") > 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 SeamModel make_seam_model(const pattern::Pattern& pattern) {
   SeamModel model;
   model.words = words_of_garment(pattern);
@@ -321,11 +337,14 @@ SeamModel make_seam_model(const pattern::Pattern& pattern) {
   find_sides(model);
   match_mirrors(model);
   find_open_fronts(model);
+  model.open_neck = opens_below_neck(pattern, model);
   find_banded_fronts(model);
   find_rivals(model);
   find_alike(model);
   return model;
 }
+
+bool has_open_neck(const pattern::Pattern& pattern) { return make_seam_model(pattern).open_neck; }
 
 SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r,
                     const std::vector<double>& cuts) {

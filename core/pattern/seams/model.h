@@ -56,11 +56,12 @@ struct SeamModel {
   /// Which way the file means left and right, told by pieces that have sides and faces: +1 where left pieces
   /// are the wearer's left ones seen from outside, -1 where it is the other way round, 0 where nothing tells.
   int handed = 0;
-  bool tailored = false;  ///< a sleeve has an under part, by its name or by its hollow upper end
-  bool raglan = false;    ///< a sleeve goes up to the neck between front and back
-  bool cut_on = false;    ///< cuffs end sleeves that are cut in one with the bodice
-  bool nameless = false;  ///< no name says what covers trunk, arms or legs: kinds are told by shapes
-  bool has_band = false;  ///< a waistband: what hangs from the waist hangs from it
+  bool tailored = false;   ///< a sleeve has an under part, by its name or by its hollow upper end
+  bool raglan = false;     ///< a sleeve goes up to the neck between front and back
+  bool cut_on = false;     ///< cuffs end sleeves that are cut in one with the bodice
+  bool nameless = false;   ///< no name says what covers trunk, arms or legs: kinds are told by shapes
+  bool open_neck = false;  ///< fronts in two halves, or a placket: what goes around the neck has ends
+  bool has_band = false;   ///< a waistband: what hangs from the waist hangs from it
   /// Of each panel: it is a frill whose limb has a cuff, so that it hangs from that.
   std::vector<char> below_cuff;
   /// Of each panel: it is one of two fronts between which the garment opens, one of its runs an open front.
@@ -95,6 +96,9 @@ SeamModel make_seam_model(const pattern::Pattern& pattern);
 /// keeps the index, the others stand at the end. Parts mirror each other where both edges are cut alike.
 SeamModel with_cuts(const pattern::Pattern& pattern, SeamModel model, Index r,
                     const std::vector<double>& cuts);
+
+/// Whether a garment of these pieces opens below the neck: SeamModel::open_neck.
+bool has_open_neck(const pattern::Pattern& pattern);
 
 /// Degrees that the cloth has between the end of one edge and the start of the next.
 double corner_angle(const pattern::PanelEdge& before, const pattern::PanelEdge& after);

@@ -15,6 +15,7 @@
 #include "core/pattern/seams/confidence.h"
 #include "core/pattern/seams/lines.h"
 #include "core/pattern/seams/mirror_images.h"
+#include "core/pattern/seams/open_collars.h"
 #include "core/pattern/seams/runs_to_edges.h"
 #include "core/pattern/seams/search.h"
 #include "core/pattern/seams/sleeve_head.h"
@@ -184,8 +185,8 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
   std::vector<std::array<Index, 2>> sewn;
   std::vector<Index> blocked;
   sort_sewn(lines.pattern, sewn, blocked);
-  FoundSeams found =
-      search_seams(lines.pattern, sewn, blocked, {settings.sides_known, settings.clockwise}, context);
+  FoundSeams found = search_seams(lines.pattern, sewn, blocked,
+                                  {settings.sides_known, settings.clockwise, settings.open_neck}, context);
   std::vector<SeamProposal> proposals;
   if (context.cancelled()) return proposals;
   for (const SeamDart& dart : lines.darts)
@@ -196,6 +197,7 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
   for (const FoundSeam& seam : found.seams)
     for (const FoundSeam& part : parts_of(found, begun_at_an_end(found, seam, goes_around(found, seam)))) {
       SeamProposal proposal = proposal_of(found, part, belief);
+      begin_in_front(found.model, proposal.seam);
       name_edges(lines, pattern, proposal.seam);
       std::vector<SeamProposal> parts = parted(pattern, std::move(proposal));
       if (parts.size() == 1 && goes_around(found, part))
@@ -229,6 +231,7 @@ std::vector<SeamProposal> proposals_of(const pattern::Pattern& pattern, const st
                                        const ProposalSettings& settings, const RunContext& context) {
   ProposalSettings sorted = settings;
   sorted.clockwise.clear();
+  sorted.open_neck = sorted.open_neck || has_open_neck(pattern);
   if (!settings.clockwise.empty())
     for (const Index p : pieces) sorted.clockwise.push_back(settings.clockwise[p]);
   std::vector<SeamProposal> proposals = proposals_in_order(in_order(pattern, pieces), sorted, context);

@@ -24,6 +24,8 @@ struct ProposalSettings {
   /// alike, so that where both occur, the ones are drawn from the right side and the others from the wrong
   /// one; a hint, for pieces whose shapes do not tell.
   std::vector<char> clockwise = {};
+  /// Whether what goes around the neck has ends, though none of the pieces tells so.
+  bool open_neck = false;
 };
 
 /// For ProposalSettings::clockwise: the winding of a closed polyline in the file's order.

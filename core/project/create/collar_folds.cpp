@@ -176,13 +176,14 @@ std::vector<CollarFold> collar_folds(const pattern::Pattern& pattern) {
   const seams::SeamModel m = seams::make_seam_model(pattern);
   std::vector<CollarFold> folds;
   for (Index p = 0; p < static_cast<Index>(pattern.panels.size()); ++p) {
-    if (!is_collar(m, p) || m.words[p].layer || m.words[p].stand) continue;
+    if (!is_collar(m, p) || m.words[p].layer) continue;
     const std::optional<SewnOn> sewn = sewn_on(pattern, m, p);
     if (!sewn) continue;
     const pattern::Panel& panel = pattern.panels[p];
     const Collar collar = collar_of(panel, *sewn);
     CollarFold found{
         p, {"turned_" + panel.id, panel.id, {}, -kAngle * outside_of(pattern, p), kStiffness}, {}, kNone};
+    if (m.words[p].stand && collar.breadth < kNeverStands) continue;
     const bool on_stand = is_collar(m, sewn->to);
     if (on_stand) found.stand = sewn->to;
     const bool shaped = collar.spread >= kShaped || collar.breadth >= kNeverStands || has_placket(pattern);

@@ -68,6 +68,7 @@ TEST(CollarFolds, WhatStandsIsLeft) {
   EXPECT_EQ(count({collar(70, 15)}), 1u);
   EXPECT_EQ(count({collar(40, 8)}), 0u) << "it is too low to turn over";
   EXPECT_EQ(count({collar(70, 15, "Collar stand")}), 0u) << "its name says so";
+  EXPECT_EQ(count({collar(80, 15, "Collar rib")}), 1u) << "of ribs it does not";
   EXPECT_EQ(count({collar(70, 0)}), 0u) << "a zip may close it up to its edge";
   EXPECT_EQ(count({collar(70, 0), strip("Placket", 30, 150)}), 1u) << "as a polo shirt's";
   EXPECT_EQ(count({collar(90, 0)}), 1u) << "nothing stands so high";

@@ -1,0 +1,14 @@
+#pragma once
+// Collars that are open in front on a neck that no edge opens, as a polo shirt's, whose slit is only cut in.
+
+#include "core/pattern/pattern.h"
+#include "core/pattern/seams/model.h"
+
+namespace toile::seams {
+
+/// A seam all around the neck of a garment that opens there begins and ends in the middle of its front, where
+/// the search may have begun to walk at a shoulder: between its halves, or an edge is parted there. Others
+/// stay. The panels and edges of the seam are those of the model.
+void begin_in_front(const SeamModel& model, pattern::Seam& seam);
+
+}  // namespace toile::seams
