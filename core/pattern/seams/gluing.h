@@ -37,7 +37,6 @@ struct GluingSettings {
   bool sides_known = false;  ///< whether all pieces are drawn from their right side
   /// One per panel: which of them the drawing probably shows from the other side. None: all from one.
   std::vector<char> turned = {};
-  bool open_neck = false;  ///< as SeamModel has it, where pieces tell so that are not in the pattern
 };
 
 /// What speaks for sewing a to b, apart from what else is sewn: their lengths (unless `lengths` is false),

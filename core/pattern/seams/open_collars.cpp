@@ -50,6 +50,11 @@ Series begun_within(const Series& side, std::size_t k) {
 
 }  // namespace
 
+bool closes_open_collar(const SeamModel& m, const pattern::Seam& seam) {
+  return m.open_neck && is_collar(m, seam.a) && is_collar(m, seam.b) &&
+         seam.a.front().panel == seam.b.front().panel;
+}
+
 void begin_in_front(const SeamModel& m, pattern::Seam& seam) {
   if (!m.open_neck) return;
   for (auto [neck, other] : {std::pair{&seam.a, &seam.b}, std::pair{&seam.b, &seam.a}}) {

@@ -6,6 +6,10 @@
 
 namespace toile::seams {
 
+/// Whether the seam would make a ring of what goes around the neck of a garment that opens there. The search
+/// may find one all the same: closed, a collar fits its neck best.
+bool closes_open_collar(const SeamModel& model, const pattern::Seam& seam);
+
 /// A seam all around the neck of a garment that opens there begins and ends in the middle of its front, where
 /// the search may have begun to walk at a shoulder: between its halves, or an edge is parted there. Others
 /// stay. The panels and edges of the seam are those of the model.

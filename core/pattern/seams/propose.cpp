@@ -186,17 +186,19 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
   std::vector<Index> blocked;
   sort_sewn(lines.pattern, sewn, blocked);
   FoundSeams found = search_seams(lines.pattern, sewn, blocked,
-                                  {settings.sides_known, settings.clockwise, settings.open_neck}, context);
+                                  {settings.sides_known, settings.clockwise}, context);
   std::vector<SeamProposal> proposals;
   if (context.cancelled()) return proposals;
   for (const SeamDart& dart : lines.darts)
     if (!dart.slit) proposals.push_back(closing(pattern, dart));
   share_margins(found);
   const double belief = belief_in(found, settings.sides_known);
+  found.model.open_neck = found.model.open_neck || settings.open_neck;
   std::vector<Index> rings;
   for (const FoundSeam& seam : found.seams)
     for (const FoundSeam& part : parts_of(found, begun_at_an_end(found, seam, goes_around(found, seam)))) {
       SeamProposal proposal = proposal_of(found, part, belief);
+      if (closes_open_collar(found.model, proposal.seam)) continue;
       begin_in_front(found.model, proposal.seam);
       name_edges(lines, pattern, proposal.seam);
       std::vector<SeamProposal> parts = parted(pattern, std::move(proposal));

@@ -309,7 +309,6 @@ FoundSeams search_seams(const pattern::Pattern& pattern, const std::vector<std::
                         const std::vector<Index>& blocked, const GluingSettings& settings,
                         const RunContext& context) {
   FoundSeams found{make_seam_model(pattern), {}, {}};
-  found.model.open_neck = found.model.open_neck || settings.open_neck;
   found.gluing = nothing_sewn(found.model);
   std::vector<char> locked(found.model.runs.size(), 0);
   for (const Index r : blocked) locked[r] = 1;

@@ -115,7 +115,8 @@ bool stays_open(const SeamModel& m, const SeamRun& a, const SeamRun& b) {
     const bool neck = is_beside_middle(m, a) && is_beside_middle(m, b);
     return (m.opens[a.panel] || neck) && m.twin[a.panel] == b.panel;
   }
-  return m.open_neck && x.kind == PieceKind::kCollar;
+  const bool opens = std::any_of(m.opens.begin(), m.opens.end(), [](char any) { return any != 0; });
+  return opens && x.kind == PieceKind::kCollar;
 }
 
 }  // namespace toile::seams

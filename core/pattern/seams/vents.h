@@ -19,7 +19,7 @@ bool turns_in(const SeamModel& m, const SeamRun& run);
 double twin_merit(const SeamModel& m, const SeamRun& run, double along_grain);
 
 /// Whether a front that opens keeps the two apart: its round edge is sewn to linings and facings alone, no
-/// edge to the other front's. A collar above two fronts or a placket is no ring.
+/// edge to the other front's, and a collar above it is no ring.
 bool stays_open(const SeamModel& m, const SeamRun& a, const SeamRun& b);
 
 }  // namespace toile::seams
