@@ -86,28 +86,55 @@ void even_out(std::vector<T>& values) {
   }
 }
 
-/// The seam on the body: its vertices, and the directions along it, away from its middle and up, each
-/// across the others.
+Vec3 mean_of(const std::vector<Index>& vertices, std::span<const Vec3> x) {
+  Vec3 sum;
+  for (const Index v : vertices) sum += x[v];
+  return sum * (1.0 / static_cast<double>(std::max<std::size_t>(1, vertices.size())));
+}
+
+/// Which way the side that is up in the flat piece faces along the seam, summed over what is turned there.
+std::vector<Vec3> facing_along(const sewing::GarmentMesh& g, const sewing::PressedBack& pressed,
+                               std::span<const Vec3> x) {
+  std::vector<Index> place(x.size(), kNone);
+  for (std::size_t i = 0; i < pressed.along.size(); ++i) place[pressed.along[i]] = static_cast<Index>(i);
+  std::vector<bool> turned(x.size(), false);
+  for (const Index v : pressed.fall) turned[v] = true;
+  std::vector<Vec3> facing(pressed.along.size());
+  for (const auto& [a, b, c] : g.triangles) {
+    if (!turned[a] && !turned[b] && !turned[c]) continue;
+    for (const Index v : {a, b, c})
+      if (place[v] != kNone) facing[place[v]] += cross(x[b] - x[a], x[c] - x[a]);
+  }
+  return facing;
+}
+
+/// The seam on the body: its vertices, and the directions along it, to where the piece is turned, and to
+/// where it stands, each across the others.
 struct Spine {
   std::vector<Vec2> flat;
   std::vector<Vec3> at, along, out, up;
 
   Spine(const sewing::GarmentMesh& g, const sewing::PressedBack& pressed, std::span<const Vec3> x) {
-    Vec3 middle;
     for (const Index v : pressed.along) {
       flat.push_back(g.rest[v]);
       at.push_back(x[v]);
-      middle += x[v] * (1.0 / static_cast<double>(pressed.along.size()));
     }
     for (std::size_t i = 0; i < at.size(); ++i)
       along.push_back(at[std::min(i + 1, at.size() - 1)] - at[i > 0 ? i - 1 : 0]);
     even_out(along);
+    const Vec3 standing = mean_of(pressed.fall, x) - mean_of(pressed.along, x);
+    const std::vector<Vec3> facing = facing_along(g, pressed, x);
+    double to_facing = 0;
     for (std::size_t i = 0; i < at.size(); ++i) {
       along[i] = normalized(along[i]);
-      const Vec3 across = normalized(cross(along[i], {0, 1, 0}));
-      out.push_back(dot(across, at[i] - middle) < 0 ? -across : across);
+      out.push_back(normalized(cross(along[i], standing)));
+      to_facing += dot(out[i], facing[i]);
+    }
+    const bool other_way = (to_facing > 0) != pressed.up_inside;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (other_way) out[i] = -out[i];
       up.push_back(normalized(cross(out[i], along[i])));
-      if (up[i].y < 0) up[i] = -up[i];
+      if (dot(up[i], standing) < 0) up[i] = -up[i];
     }
   }
 

@@ -13,9 +13,9 @@
 namespace toile::dressing {
 
 /// The shape `x` (m, one a garment vertex, sewn ones together, free of crossings) with its pieces that are
-/// pressed back (Assembly::pressed_back) turned about their seams, outwards and down, each place along a seam
-/// as far as the cloth and the body leave room and `share` (0 to 1) of that. What is turned is stretched or
-/// squeezed for it.
+/// pressed back (Assembly::pressed_back) turned about their seams, towards the side that comes inside, each
+/// place along a seam as far as the cloth and the body leave room and `share` (0 to 1) of that. What is
+/// turned is stretched or squeezed for it.
 std::vector<Vec3> turned_over(const sewing::Assembly& assembly, const Wearer& wearer, std::span<const Vec3> x,
                               double share);
 

@@ -106,7 +106,7 @@ std::vector<PressedBack> pressed_later(const mesh::PanelMesh& mesh, const Crease
   if (crease.lines.empty()) {
     const std::vector<Index> along = row_of(mesh, crease.edges);
     if (along.empty()) return {};
-    return {{along, beyond(mesh.triangles, along)}};
+    return {{along, beyond(mesh.triangles, along), crease.angle < 0}};
   }
   if (crease.lines.size() > 1 || parts.larger.empty()) return {};
   const std::vector<Index>& along = mesh.line_vertices[crease.lines.front()];
@@ -115,7 +115,7 @@ std::vector<PressedBack> pressed_later(const mesh::PanelMesh& mesh, const Crease
   };
   std::vector<Index> fall = beyond(parts.larger, along);
   if (!held(beyond(parts.smaller, along)) || held(fall)) return {};
-  return {{along, std::move(fall)}};
+  return {{along, std::move(fall), crease.angle < 0}};
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace toile::sewing {
 struct PressedBack {
   std::vector<Index> along;  ///< in order
   std::vector<Index> fall;   ///< what is turned about them, rising
+  bool up_inside = true;     ///< the side that is up in the flat piece comes inside, as for angles below 0
 };
 
 struct PlacedPiece {

@@ -285,7 +285,8 @@ bool opens_below_neck(const pattern::Pattern& pattern, const SeamModel& m) {
     const bool half = m.twin[p] != kNone && m.twin[p] != p;
     if (words.kind == PieceKind::kTorso && words.face > 0 && !words.layer && half) return true;
     const std::vector<std::string> name = words_of_piece(pattern.panels[p].id);
-    if (words.kind != PieceKind::kTorso && !words.limb && std::count(name.begin(), name.end(), "placket") > 0) return true;
+    if (words.kind != PieceKind::kTorso && !words.limb && std::count(name.begin(), name.end(), "placket") > 0)
+      return true;
   }
   return false;
 }

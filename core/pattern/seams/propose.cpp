@@ -185,8 +185,8 @@ std::vector<SeamProposal> proposals_in_order(const pattern::Pattern& pattern,
   std::vector<std::array<Index, 2>> sewn;
   std::vector<Index> blocked;
   sort_sewn(lines.pattern, sewn, blocked);
-  FoundSeams found = search_seams(lines.pattern, sewn, blocked,
-                                  {settings.sides_known, settings.clockwise}, context);
+  FoundSeams found =
+      search_seams(lines.pattern, sewn, blocked, {settings.sides_known, settings.clockwise}, context);
   std::vector<SeamProposal> proposals;
   if (context.cancelled()) return proposals;
   for (const SeamDart& dart : lines.darts)

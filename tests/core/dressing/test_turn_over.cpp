@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kStand = 30, kFall = 45, kAround = 430, kAway = 0.08;  // mm; m from the neck's middle
 
-/// A stand and its fall, sewn standing, the fall pressed back.
-sewing::Assembly collar() {
+/// A stand and its fall, sewn standing, the fall pressed back by that angle, degrees.
+sewing::Assembly collar(double angle = -170) {
   const measure::BodyFigure& f = test::person().figure;
   pattern::Pattern pattern;
   const auto strip = [](double height) {
@@ -33,7 +33,7 @@ sewing::Assembly collar() {
   sewing::WrappedPlacement above = around;
   above.height += kStand / 1e3;
   sewing::Notions notions;
-  notions.creases = {{"turned", 1, {0}, {}, -170 * kPi / 180, 0.1}};
+  notions.creases = {{"turned", 1, {0}, {}, angle * kPi / 180, 0.1}};
   return sewing::assemble(mesh::make_panel_meshes(pattern, 0.01, {}).value(), {around, above}, {}, notions)
       .value();
 }
@@ -59,6 +59,15 @@ TEST(TurnOver, AFallComesDownAroundItsStandAndTouchesNothing) {
   EXPECT_TRUE(collision::self_crossings(surface, down).empty());
   EXPECT_TRUE(collision::body_crossings(surface, down, wearer.crossing()).empty());
   for (const auto& [i, j] : g.sewn) EXPECT_LT(length(down[i] - down[j]), 1e-6);
+}
+
+TEST(TurnOver, TowardsTheNeckThereIsNoRoom) {
+  const dressing::Wearer wearer(test::person());
+  const sewing::Assembly inwards = collar(170);
+  const std::vector<Vec3> x = dressing::turned_over(inwards, wearer, inwards.positions, 1);
+  const Index fall = inwards.garment.first_vertex[1], end = inwards.garment.first_vertex[2];
+  const double seam = inwards.positions[inwards.pressed_back[0].along.front()].y;
+  EXPECT_GT(mean_height(x, fall, end), seam) << "it is no collar's fall, whose outside comes inside";
 }
 
 TEST(TurnOver, GoesAsFarAsItIsToldTo) {

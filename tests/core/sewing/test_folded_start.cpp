@@ -98,6 +98,7 @@ TEST(FoldedStart, AlongItsEdgesAPieceIsPressedBackWhole) {
   ASSERT_EQ(placed().pressed_back.size(), 1u);
   EXPECT_EQ(placed().pressed_back[0].along, std::vector<Index>({0, 7, 14, 21, 28, 35, 42}));
   EXPECT_EQ(placed().pressed_back[0].fall, columns(1));
+  EXPECT_TRUE(placed().pressed_back[0].up_inside);
   seam.edges = {1, 0};
   EXPECT_TRUE(placed().pressed_back.empty()) << "edges that do not follow one another";
   seam.edges = {0};
