@@ -279,14 +279,18 @@ int hangs_from(const SeamModel& m, Index lower, Index upper) {
 
 namespace {
 
+/// A placket is buttoned in front; what only binds a slit may as well lie behind.
+bool is_neck_placket(const PieceWords& words, const std::vector<std::string>& name) {
+  const auto has = [&](const char* word) { return std::count(name.begin(), name.end(), word) > 0; };
+  return words.kind != PieceKind::kTorso && !words.limb && has("placket") && !has("binding");
+}
+
 bool opens_below_neck(const pattern::Pattern& pattern, const SeamModel& m) {
   for (Index p = 0; p < static_cast<Index>(m.words.size()); ++p) {
     const PieceWords& words = m.words[p];
     const bool half = m.twin[p] != kNone && m.twin[p] != p;
     if (words.kind == PieceKind::kTorso && words.face > 0 && !words.layer && half) return true;
-    const std::vector<std::string> name = words_of_piece(pattern.panels[p].id);
-    if (words.kind != PieceKind::kTorso && !words.limb && std::count(name.begin(), name.end(), "placket") > 0)
-      return true;
+    if (is_neck_placket(words, words_of_piece(pattern.panels[p].id))) return true;
   }
   return false;
 }

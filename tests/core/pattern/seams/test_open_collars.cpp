@@ -29,6 +29,8 @@ TEST(OpenCollars, APlacketKeepsACollarsEndsApartAndOpensItInFront) {
   const std::vector<std::string> end{"Collar.e1"}, other{"Collar.e3"};
   EXPECT_TRUE(closed.has(end, other)) << closed.text();
   EXPECT_FALSE(open.has(end, other)) << open.text();
+  for (const char* name : {"Sleeve placket", "Placket binding"})
+    EXPECT_FALSE(seams::has_open_neck(shirt({strip(name, 160, 35)}))) << name;
   const bool around = open.has({"Collar.e0"}, {"Front.e4", "Back.e4", "Front.e4"}) ||
                       open.has({"Collar.e2"}, {"Front.e4", "Back.e4", "Front.e4"});
   EXPECT_TRUE(around) << open.text();
