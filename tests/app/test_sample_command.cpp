@@ -152,8 +152,13 @@ json::JsonValue drape_report(const fs::path& project, const fs::path& out) {
 
 TEST(SampleCommand, TheBlouseIsWornWithItsCollarAndCuffs) {
   const fs::path kept = fs::path(TOILE_SOURCE_DIR) / "samples/blouse/project.json";
-  const json::JsonValue report = drape_report(kept, fresh_folder("toile_sample_blouse_worn"));
+  const fs::path out = fresh_folder("toile_sample_blouse_worn");
+  const json::JsonValue report = drape_report(kept, out);
   EXPECT_EQ(*report.find("worn")->text(), "yes");
+  const Tops fall = tops_of(out / "final.obj", "collar"), stand = tops_of(out / "final.obj", "collar_stand");
+  ASSERT_GT(fall.count, 100);
+  EXPECT_LT(fall.high, stand.high + 0.005) << "the collar is turned down";
+  EXPECT_LT(fall.low, stand.low - 0.01) << "its points lie on the fronts";
 }
 
 TEST(SampleCommand, TheChairCoverFitsItsChair) {
