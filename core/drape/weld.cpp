@@ -14,20 +14,6 @@ namespace {
 /// m; what has been joined stays so, even where contact leaves nothing free.
 constexpr double kRounding = 1e-12;
 
-/// Mean position of each class, stored at its least vertex.
-std::vector<Vec3> class_means(const sewing::GarmentMesh& garment, std::span<const Vec3> positions) {
-  std::vector<Vec3> mean(positions.size());
-  std::vector<int> count(positions.size(), 0);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    mean[garment.weld[i]] += positions[i];
-    ++count[garment.weld[i]];
-  }
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (count[i] > 1) mean[i] = mean[i] * (1.0 / count[i]);
-  }
-  return mean;
-}
-
 /// Bounds of contact around `positions` for ways of up to `reach` (m).
 collision::Contacts bounds_at(const sewing::GarmentMesh& garment, std::span<const Vec3> positions,
                               double reach, std::span<const collision::Obstacle> obstacles) {
@@ -62,7 +48,7 @@ Weld joined_as(const sewing::GarmentMesh& garment, const std::vector<bool>& join
 
 Weld weld_seams(const sewing::GarmentMesh& garment, std::span<const Vec3> positions, double reach,
                 std::span<const collision::Obstacle> obstacles) {
-  const std::vector<Vec3> mean = class_means(garment, positions);
+  const std::vector<Vec3> mean = sewing::together_at_means(garment, positions);
   const collision::Contacts bounds = bounds_at(garment, positions, reach, obstacles);
   std::vector<bool> open(positions.size(), false);
   for (std::size_t i = 0; i < positions.size(); ++i) {

@@ -76,7 +76,8 @@ bool tried_before(const sewing::Assembly& assembly, const Wearer& wearer, std::s
 /// Shares of the room there is by which collars are turned down, in the order in which they are tried.
 constexpr double kTurnedBy[] = {1, 0.9, 0.8, 0.65};
 
-/// Turns down what is pressed back, if that can be certified: a collar that stands is no fault.
+/// Turns down what is pressed back, if that can be certified: a collar that stands is no fault. What the
+/// garment is worth against other ways is told by its certificate before: all of them stretch a fall alike.
 void turn_down(const sewing::Assembly& assembly, const Wearer& wearer, Dressed& dressed) {
   if (assembly.pressed_back.empty()) return;
   for (const double share : kTurnedBy) {
@@ -122,14 +123,7 @@ std::vector<Vec3> carried_over(const sewing::GarmentMesh& fine, const sewing::Ga
     const Tri& corners = of_panel[panel][place.triangle];
     for (std::size_t k = 0; k < 3; ++k) x[v] += shape[corners[k]] * place.share[k];
   }
-  std::vector<Vec3> sum(x.size());
-  std::vector<int> count(x.size(), 0);
-  for (std::size_t v = 0; v < x.size(); ++v) {
-    sum[fine.weld[v]] += x[v];
-    ++count[fine.weld[v]];
-  }
-  for (std::size_t v = 0; v < x.size(); ++v) x[v] = sum[fine.weld[v]] * (1.0 / count[fine.weld[v]]);
-  return x;
+  return sewing::together_at_means(fine, x);
 }
 
 TriedOn put_on(const sewing::Assembly& fine, const sewing::Assembly& coarse, const Wearer& wearer,

@@ -188,17 +188,6 @@ void turn(const sewing::GarmentMesh& g, const sewing::PressedBack& pressed, cons
   }
 }
 
-/// Halves of a collar meet where the mean of both is.
-void join_sewn(const sewing::GarmentMesh& g, std::vector<Vec3>& x) {
-  std::vector<Vec3> sum(x.size());
-  std::vector<int> count(x.size(), 0);
-  for (std::size_t v = 0; v < x.size(); ++v) {
-    sum[g.weld[v]] += x[v];
-    ++count[g.weld[v]];
-  }
-  for (std::size_t v = 0; v < x.size(); ++v) x[v] = sum[g.weld[v]] * (1.0 / count[g.weld[v]]);
-}
-
 }  // namespace
 
 std::vector<Vec3> turned_over(const sewing::Assembly& assembly, const Wearer& wearer, std::span<const Vec3> x,
@@ -206,8 +195,7 @@ std::vector<Vec3> turned_over(const sewing::Assembly& assembly, const Wearer& we
   std::vector<Vec3> over(x.begin(), x.end());
   for (const sewing::PressedBack& pressed : assembly.pressed_back)
     turn(assembly.garment, pressed, wearer, share, over);
-  join_sewn(assembly.garment, over);
-  return over;
+  return sewing::together_at_means(assembly.garment, over);  // where halves of a collar meet
 }
 
 }  // namespace toile::dressing

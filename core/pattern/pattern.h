@@ -82,6 +82,12 @@ struct Seam {
   bool same_direction = false;
 };
 
+/// 1 where the seam lays its pieces side by side, so that both show the same side of the flat cloth; -1 where
+/// the one is turned over.
+inline int side_sign(const Seam& seam) {
+  return (seam.same_direction != seam.a[0].reversed) != seam.b[0].reversed ? -1 : 1;
+}
+
 struct Pattern {
   std::vector<Panel> panels;
   std::vector<Seam> seams;

@@ -54,9 +54,6 @@ struct Sides {
 Sides sides_of(const pattern::Pattern& pattern) {
   const auto count = static_cast<Index>(pattern.panels.size());
   Sides s{std::vector<Index>(count, kNone), std::vector<int>(count, 0), {}};
-  const auto sign = [](const pattern::Seam& seam) {
-    return (seam.same_direction != seam.a[0].reversed) != seam.b[0].reversed ? -1 : 1;
-  };
   for (Index root = 0; root < count; ++root) {
     if (s.group[root] != kNone) continue;
     std::vector<Index> open{root};
@@ -71,7 +68,7 @@ Sides sides_of(const pattern::Pattern& pattern) {
         const Index q = a == p ? b : a;
         if (s.group[q] == kNone) {
           s.group[q] = root;
-          s.side[q] = s.side[p] * sign(seam);
+          s.side[q] = s.side[p] * side_sign(seam);
           open.push_back(q);
         }
       }
@@ -80,7 +77,7 @@ Sides sides_of(const pattern::Pattern& pattern) {
   for (Index k = 0; k < static_cast<Index>(pattern.seams.size()); ++k) {
     const pattern::Seam& seam = pattern.seams[k];
     const Index a = seam.a[0].panel, b = seam.b[0].panel;
-    if (s.side[a] * s.side[b] != sign(seam)) s.one_sided.push_back(k);
+    if (s.side[a] * s.side[b] != side_sign(seam)) s.one_sided.push_back(k);
   }
   return s;
 }

@@ -71,6 +71,20 @@ JoinedVertices joined_vertices(const GarmentMesh& garment, const std::vector<boo
   return now;
 }
 
+std::vector<Vec3> together_at_means(const GarmentMesh& garment, std::span<const Vec3> positions) {
+  std::vector<Vec3> mean(positions.size());
+  std::vector<int> count(positions.size(), 0);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    mean[garment.weld[i]] += positions[i];
+    ++count[garment.weld[i]];
+  }
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (garment.weld[i] == static_cast<Index>(i)) mean[i] = mean[i] * (1.0 / count[i]);
+    mean[i] = mean[garment.weld[i]];  // the least of its class, which comes before it
+  }
+  return mean;
+}
+
 std::vector<double> seam_held_by_pairs(const GarmentMesh& g) {
   std::vector<std::array<double, 2>> sides(g.sewn.size(), {0, 0});
   for (std::size_t k = 1; k < g.sewn.size(); ++k) {

@@ -34,6 +34,9 @@ struct JoinedVertices {
 /// When each garment vertex that is marked in `joined` is one with the least vertex of its class.
 JoinedVertices joined_vertices(const GarmentMesh& garment, const std::vector<bool>& joined);
 
+/// Where each garment vertex would be if the sewn ones were together: the mean over its class, m.
+std::vector<Vec3> together_at_means(const GarmentMesh& garment, std::span<const Vec3> positions);
+
 /// m of seam that each pair of garment.sewn holds, half way to the pairs before and after it, on the side
 /// where that is less; 0 where a side has no length there. One entry a pair.
 std::vector<double> seam_held_by_pairs(const GarmentMesh& garment);
