@@ -13,11 +13,40 @@
 #include "core/pattern/dxf/branches.h"
 #include "core/pattern/dxf/groups.h"
 #include "core/pattern/dxf/pen.h"
+#include "core/pattern/outline.h"
 
 namespace toile::dxf {
 namespace {
 
 constexpr std::size_t kMostRuns = 64;  // more entities than that are strokes, not edges
+
+/// The link's stroke in the direction in which it is run.
+std::vector<Vec2> points_along(const std::vector<DxfStroke>& strokes, const DxfLink& link) {
+  std::vector<Vec2> points = strokes[link.stroke].points;
+  if (link.reversed) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+/// Whether the line turns where one row of points goes on as the other.
+bool turns_between(const std::vector<Vec2>& before, const std::vector<Vec2>& after) {
+  const Vec2 in = normalized(before.back() - before[before.size() - 2]),
+             out = normalized(after[1] - after[0]);
+  return dot(in, out) < std::cos(pattern::OutlineSettings{}.told_angle);
+}
+
+/// Where curved strokes meet others at an angle.
+std::vector<Vec2> turns_at_curves(const std::vector<DxfStroke>& strokes, const std::vector<DxfLink>& links,
+                                  bool closed) {
+  std::vector<Vec2> turns;
+  if (links.size() > kMostRuns) return turns;
+  for (std::size_t i = closed ? 0 : 1; i < links.size(); ++i) {
+    const DxfLink &mine = links[i], &before = links[(i + links.size() - 1) % links.size()];
+    if (!strokes[mine.stroke].curved && !strokes[before.stroke].curved) continue;
+    const std::vector<Vec2> points = points_along(strokes, mine);
+    if (turns_between(points_along(strokes, before), points)) turns.push_back(points.front());
+  }
+  return turns;
+}
 
 /// The links' strokes as one line.
 DxfChain joined(const std::vector<DxfStroke>& strokes, const std::vector<DxfLink>& links, bool closed,
@@ -29,8 +58,7 @@ DxfChain joined(const std::vector<DxfStroke>& strokes, const std::vector<DxfLink
   chain.layer = layer;
   chain.line = strokes[links[0].stroke].line;
   for (const DxfLink& link : links) {
-    std::vector<Vec2> points = strokes[link.stroke].points;
-    if (link.reversed) std::reverse(points.begin(), points.end());
+    const std::vector<Vec2> points = points_along(strokes, link);
     const DxfStroke& stroke = strokes[link.stroke];
     chain.line = std::min(chain.line, stroke.line);
     chain.entities.push_back(stroke.entity);
@@ -43,6 +71,7 @@ DxfChain joined(const std::vector<DxfStroke>& strokes, const std::vector<DxfLink
     chain.points.insert(chain.points.end(), points.begin() + (first ? 0 : 1), points.end());
   }
   if (closed) chain.points.pop_back();
+  chain.turns = turns_at_curves(strokes, links, closed);
   chain.breaks_are_edges =
       strokes_only && links.size() > 1 && links.size() <= kMostRuns && 2 * runs >= links.size();
   return chain;

@@ -53,6 +53,8 @@ struct DxfChain {
   std::vector<std::size_t> entities;  ///< their numbers in the log
   bool curved = false;                ///< arcs, bulges or splines have been drawn out
   bool inner = false;                 ///< branches off an outline: a line within it, no outline
+  /// Where an arc or a spline meets another entity at an angle: that is meant, and no sample of a curve.
+  std::vector<Vec2> turns = {};
 };
 
 /// What the curves of one place chain up to.

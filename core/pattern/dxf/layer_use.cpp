@@ -75,7 +75,8 @@ std::vector<DxfLayerUse> layer_uses(const DxfReport& report, const std::vector<D
     use.role = role_of_layer(layer, given);
     use.given = given_role(layer, given).has_value();
     use.drawn = drawn.by_aama.contains(layer) || drawn.by_shape.contains(layer);
-    use.by_shape = !use.given && !drawn.by_aama.contains(layer) && drawn.by_shape.contains(layer);
+    use.by_shape =
+        !told_role(layer, given) && !drawn.by_aama.contains(layer) && drawn.by_shape.contains(layer);
     use.kinds.assign(kinds.begin(), kinds.end());
     for (const auto& [kind, count] : kinds) use.entities += count;
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/latin_letters.h"
 #include "core/base/names.h"
 #include "core/base/text.h"
 #include "core/pattern/dxf/words.h"
@@ -47,6 +48,44 @@ DxfRole role_of_number(int number) {
   return it == kRoles.end() ? DxfRole::kOther : it->second;
 }
 
+/// What layers of notches are called where a general program drew the pattern; small letters without accents
+/// or spaces, between semicolons.
+constexpr std::string_view kNotchWords =
+    ";notch;notches;tacca;tacche;tacchette;riscontro;riscontri;knips;knipse;knipsen;knip;knipjes;inkeping;"
+    "passzeichen;passermarken;kerbe;kerben;cran;crans;encoche;encoches;repere;reperes;piquete;piquetes;"
+    "muesca;muescas;aplomo;aplomos;pique;piques;hak;hack;klipp;klippe;jack;passmarken;passmarkering;"
+    "kohdistusmerkit;hakit;zarez;zarezy;naciecie;naciecia;nastrih;nastrihy;znacka;znacky;rovatka;"
+    "illesztojel;crestatura;crestaturi;semn;semne;citlik;citlikler;cit;nadsechka;nadsechki;nasechka;"
+    "nasechki;zasecka;zasecke;urez;urezi;takik;";
+
+/// Likewise of grain lines.
+constexpr std::string_view kGrainWords =
+    ";grain;grainline;grainlines;drittofilo;fadenlauf;fadenlaufe;fadenrichtung;droitfil;hilo;rectohilo;"
+    "hilorecto;sentidohilo;sentidodelhilo;fio;fioreto;fiodotecido;sentidodofio;tradriktning;tradretning;"
+    "tradlopp;trad;langsuunta;langansuunta;nitka;nitkaprosta;nit;smerniti;smernite;osnova;szalirany;"
+    "firdrept;directiefir;iplik;duziplik;boyiplik;dolevaya;dolevayanit;dolevajanit;napravlenieniti;"
+    "draadrichting;draad;";
+
+/// The name in small Latin letters, without what parts its words, nor a size before them: "46_NITKA".
+std::string plain_name(const std::string& layer) {
+  std::string name;
+  for (const char c : lower_case(in_latin_letters(layer)))
+    if (c != ' ' && c != '_' && c != '-') name += c;
+  return name.erase(0, std::min(name.size(), name.find_first_not_of("0123456789")));
+}
+
+bool is_among(std::string_view words, const std::string& name) {
+  return !name.empty() && words.find(";" + name + ";") != std::string_view::npos;
+}
+
+/// What holds whether a drawing goes by AAMA's layers or not.
+std::optional<DxfRole> plain_role(const std::string& layer) {
+  const std::string name = plain_name(layer);
+  if (is_among(kNotchWords, name)) return DxfRole::kNotch;
+  if (is_among(kGrainWords, name)) return DxfRole::kGrain;
+  return std::nullopt;
+}
+
 DxfRole role_of_name(const std::string& layer) {
   static const std::map<std::string, DxfRole> kRoles{{"cut", DxfRole::kCut},
                                                      {"cutline", DxfRole::kCut},
@@ -63,10 +102,6 @@ DxfRole role_of_name(const std::string& layer) {
                                                      {"stitchline", DxfRole::kSew},
                                                      {"seam", DxfRole::kSew},
                                                      {"seamline", DxfRole::kSew},
-                                                     {"notch", DxfRole::kNotch},
-                                                     {"notches", DxfRole::kNotch},
-                                                     {"grain", DxfRole::kGrain},
-                                                     {"grainline", DxfRole::kGrain},
                                                      {"mirror", DxfRole::kMirror},
                                                      {"mirrorline", DxfRole::kMirror},
                                                      {"fold", DxfRole::kMirror},
@@ -81,10 +116,8 @@ DxfRole role_of_name(const std::string& layer) {
                                                      {"cutouts", DxfRole::kCutout},
                                                      {"text", DxfRole::kText},
                                                      {"annotation", DxfRole::kText}};
-  std::string name;
-  for (const char c : lower_case(layer))
-    if (c != ' ' && c != '_' && c != '-') name += c;
-  const auto it = kRoles.find(name);
+  if (const auto plain = plain_role(layer)) return *plain;
+  const auto it = kRoles.find(plain_name(layer));
   return it == kRoles.end() ? DxfRole::kOther : it->second;
 }
 
@@ -93,6 +126,11 @@ DxfRole role_of_name(const std::string& layer) {
 std::optional<DxfRole> given_role(const std::string& layer, const DxfLayerMap& given) {
   const auto it = given.find(layer);
   return it == given.end() ? std::nullopt : std::optional(it->second);
+}
+
+std::optional<DxfRole> told_role(const std::string& layer, const DxfLayerMap& given) {
+  if (const auto role = given_role(layer, given)) return role;
+  return plain_role(layer);
 }
 
 std::optional<int> layer_number(const std::string& layer) {

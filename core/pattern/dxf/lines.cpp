@@ -1,5 +1,8 @@
 #include "core/pattern/dxf/lines.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -61,9 +64,17 @@ void keep_drill(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
   tell(notes, chain, DxfFate::kConverted, "drill hole", owner.id);
 }
 
+/// From point to point: a grain line may go on as the head of its arrow.
+Vec2 longest_stretch(const std::vector<Vec2>& points) {
+  Vec2 longest;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    if (const Vec2 way = points[k] - points[k - 1]; length(way) > length(longest)) longest = way;
+  return longest;
+}
+
 void set_grain(const DxfChain& chain, DxfFound& owner, DxfNotes& notes) {
   if (owner.piece.grain) return tell(notes, chain, DxfFate::kDropped, "a second grain line", owner.id);
-  const Vec2 d = normalized(chain.points.back() - chain.points.front());
+  const Vec2 d = normalized(longest_stretch(chain.points));
   if (d == Vec2{}) return tell(notes, chain, DxfFate::kDropped, "a grain line without a direction", owner.id);
   owner.piece.grain = d.y < 0 || (d.y == 0 && d.x < 0) ? -d : d;
   tell(notes, chain, DxfFate::kKept, "grain line", owner.id);
@@ -99,6 +110,18 @@ bool comes_later(const DxfChain& chain, DxfRole role) {
   return role == DxfRole::kMirror || (role == DxfRole::kNotch && !chain.closed);
 }
 
+/// As they are drawn, but of grain lines the longest first: heads of arrows are lines of their own.
+std::vector<std::size_t> in_order(const std::vector<DxfChain>& chains, const DxfRoles& roles) {
+  std::vector<std::size_t> order(chains.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto rank = [&](std::size_t i) {
+    return roles.meaning(i) == DxfRole::kGrain ? -length(longest_stretch(chains[i].points)) : 0.0;
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return order;
+}
+
 /// Lines with a meaning belong to a piece although they leave it; of others nobody knows what they are.
 DxfReach reach_of(DxfRole role) {
   if (role == DxfRole::kCut || role == DxfRole::kSew) return DxfReach::kAround;
@@ -108,7 +131,7 @@ DxfReach reach_of(DxfRole role) {
 }  // namespace
 
 DxfPieces with_lines(DxfPieces pieces, const std::vector<DxfChain>& chains, const DxfRoles& roles) {
-  for (std::size_t i = 0; i < chains.size(); ++i) {
+  for (const std::size_t i : in_order(chains, roles)) {
     const DxfChain& chain = chains[i];
     const DxfRole meaning = roles.meaning(i);
     if (pieces.used[i] || comes_later(chain, meaning)) continue;

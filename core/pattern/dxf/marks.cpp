@@ -145,7 +145,7 @@ DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool b
                      const DxfReading& reading) {
   const DxfLayerMap& given = reading.settings.layers;
   const auto meaning_of = [&](const std::string& layer) {
-    return by_aama || given_role(layer, given) ? role_of_layer(layer, given) : DxfRole::kOther;
+    return by_aama || told_role(layer, given) ? role_of_layer(layer, given) : DxfRole::kOther;
   };
   for (const DxfPart& part : parts) {
     const DxfTransform to_mm = part.transform.scaled(reading.mm_per_unit);

@@ -55,6 +55,11 @@ bool is_word(const std::string& text) {
   return letters >= 2 && text.front() != '#';
 }
 
+/// Whether the text is there to tell how often a piece is cut, whatever else it says.
+bool tells_how_often(std::string_view text) {
+  return tells_only_quantity(text) || is_cutting_order(text) || begins_with_count(text);
+}
+
 /// Two of a kind are a left one and a right one; what is cut on the fold is its own mirror image.
 void count(DxfPiece& piece, const DxfQuantity& quantity) {
   piece.quantity = quantity.as_drawn + quantity.mirrored;
@@ -235,7 +240,7 @@ DxfNamed named_by_texts(std::vector<DxfFound> pieces, const std::vector<DxfText>
       continue;
     }
     if (const auto quantity = told_quantity(text.text);
-        quantity && !found.piece.counted && (tells_only_quantity(text.text) || is_cutting_order(text.text))) {
+        quantity && !found.piece.counted && tells_how_often(text.text)) {
       count(found.piece, *quantity);
       named.notes.mark(text.entity, DxfFate::kConverted, "quantity", found.id);
     }

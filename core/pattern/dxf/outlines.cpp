@@ -176,6 +176,7 @@ DxfPlaced piece_of(const DxfLoop& cut, const DxfLoop* sew, int id) {
   DxfPiece& piece = placed.found.piece;
   piece.outline = c.points;
   piece.breaks = c.breaks;
+  piece.turn_points = c.turns;
   piece.breaks_are_edges = c.breaks_are_edges;
   piece.layer = c.layer;
   piece.line = c.line;
@@ -254,7 +255,7 @@ Result<DxfLoops> loops_of(const std::vector<DxfChain>& chains, const DxfRoles& r
   DxfLoops loops;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const bool outline = roles.makes_outlines(i);
-    const bool maybe_sew = !roles.given[i] && may_hold_sew_lines(roles.of[i]);
+    const bool maybe_sew = !roles.told[i] && may_hold_sew_lines(roles.of[i]);
     if (!chains[i].closed || !(outline || maybe_sew)) continue;
     const DxfLoop loop = loop_of(chains[i], i, roles.of[i]);
     if (loop.area < pattern::kLeastArea && geometry::is_flat(chains[i].points, pattern::kJointTolerance)) {

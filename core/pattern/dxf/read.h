@@ -38,12 +38,13 @@ struct DxfPiece {
   bool unfolded = false;    ///< the file holds a half, to be cut on the fold
   bool on_sew_line = true;  ///< false: on the cut line, with its seam allowance if it has one
   std::vector<pattern::Notch> notches;
-  std::vector<Vec2> turn_points;             ///< AAMA layer 2: curves of the outline end there
+  /// Where curves of the outline end: AAMA layer 2, and where an arc or a spline meets another entity at an
+  /// angle.
+  std::vector<Vec2> turn_points;
   std::vector<Vec2> drills;                  ///< AAMA layer 13
   std::vector<std::vector<Vec2>> internals;  ///< lines within the piece; closed ones repeat their first point
 };
 
-/// The unit of the drawing, and why.
 /// Why a unit that was asked for is hardly meant.
 struct DxfUnitDoubt {
   std::string own;         ///< the unit that the file would be taken to be in
@@ -51,6 +52,7 @@ struct DxfUnitDoubt {
   double largest_own = 0;  ///< likewise in the file's own, millimetres
 };
 
+/// The unit of the drawing, and why.
 struct DxfUnit {
   std::string name = "mm";  ///< mm, cm, m, inch, foot; "other" when the settings give another one
   double mm = 1;            ///< millimetres

@@ -13,12 +13,12 @@ namespace toile::dxf {
 struct DxfRoles {
   bool by_aama = false;  ///< layers have the meaning of their numbers; else any closed line may be an outline
   std::vector<DxfRole> of;  ///< each chain
-  std::vector<bool> given;  ///< of each chain, whether a person says so: then it holds whatever by_aama is
+  std::vector<bool> told;   ///< of each chain, whether that holds whatever by_aama is (told_role)
 
   /// Whether chain i may be the outline of a piece.
   bool makes_outlines(std::size_t i) const { return of[i] == DxfRole::kCut || of[i] == DxfRole::kSew; }
   /// What chain i means beside that; other where nothing tells.
-  DxfRole meaning(std::size_t i) const { return by_aama || given[i] ? of[i] : DxfRole::kOther; }
+  DxfRole meaning(std::size_t i) const { return by_aama || told[i] ? of[i] : DxfRole::kOther; }
 };
 
 /// Whether layers of such names have AAMA's meaning where a line stands on this one: it is one of outlines.

@@ -17,18 +17,23 @@ constexpr int kMostTold = 12;  // of one piece; greater figures are sizes
 
 // Small letters without accents, between semicolons.
 constexpr std::string_view kCountWords =
-    ";pc;pcs;piece;pieces;pce;pces;pieza;piezas;peca;pecas;pezzo;pezzi;pz;stk;stck;stuck;stueck;stuks;styck;"
+    ";pc;pcs;st;piece;pieces;pce;pces;pieza;piezas;peca;pecas;pezzo;pezzi;pz;stk;stck;stuck;stueck;stuks;"
+    "styck;"
     "szt;sztuk;sztuki;ks;kusy;kus;adet;kpl;kappaletta;db;darab;buc;bucati;kom;komada;kosa;sht;det;detali;"
     "mal;fois;vez;veces;vezes;volte;keer;krat;raz;razy;times;kez;gange;ganger;";
+/// Of these, the words for a single one: "2 PIECE SLEEVE" is a name.
+constexpr std::string_view kSingularWords = ";piece;pieza;peca;pezzo;";
 constexpr std::string_view kPairWords = ";pair;paire;par;pari;paar;paio;coppia;paru;pereche;cift;";
 constexpr std::string_view kManyPairWords = ";pairs;paires;pares;paare;coppie;pary;perechi;";
 constexpr std::string_view kFoldWords =
     ";fold;bruch;stoffbruch;pli;pliure;doblez;dobra;piega;ripiegata;stoffplooi;stofvouw;vouw;zgiecie;zgieciu;"
     "zlozeni;prehyb;prehybu;kat;katli;taite;taitteelta;taitteesta;hajtas;hajtasra;hajtasban;pliu;indoitura;"
-    "vikning;tygvikning;fold;stoffold;sgib;sgibom;presavijen;pregib;";
+    "vikning;tygvikning;vikt;dubbelvikt;vik;tygvik;fold;stoffold;sgib;sgibom;presavijen;pregib;";
 /// Beside all these, where a text tells of nothing but how often a piece is cut.
 constexpr std::string_view kBesideWords =
-    ";x;on;the;of;in;aan;de;het;op;para;bias;biais;schuin;sbieco;schrag;lesie;im;am;auf;au;aux;al;a;sur;sul;"
+    ";x;on;the;of;en;vis;mot;tyg;stof;stoff;in;aan;de;het;op;para;bias;biais;schuin;sbieco;schrag;lesie;im;"
+    "am;auf;"
+    "au;aux;al;a;sur;sul;"
     "na;so;po;v;do;w;ve;i;and;und;et;y;e;mirrored;mirror;mirr;mir;"
     "gespiegelt;"
     "spiegelbildlich;gegengleich;zerkalno;zrcadlove;zrcadlovo;aynali;spegelvand;spegelvant;speculare;"
@@ -127,6 +132,19 @@ bool tells_only_quantity(std::string_view text) {
 bool is_cutting_order(std::string_view text) {
   const std::vector<Token> tokens = tokens_of(text);
   return tokens.size() > 1 && tells_cutting(tokens[0].text) && tokens[1].is_figure();
+}
+
+bool begins_with_count(std::string_view text) {
+  constexpr std::string_view kSizeWords = ";large;l;big;small;s;tall;plus;";  // "2X LARGE"
+  const std::vector<Token> tokens = tokens_of(text);
+  if (tokens.size() < 2) return false;
+  const Token &first = tokens[0], &second = tokens[1];
+  const std::string third = tokens.size() > 2 ? tokens[2].text : "";
+  const bool more_figures = third == "x" || (tokens.size() > 2 && tokens[2].figure >= 0);
+  if (first.text == "x") return second.is_figure() && !more_figures;
+  if (!first.is_figure()) return false;
+  if (second.text == "x") return !third.empty() && !more_figures && !is_among(kSizeWords, third);
+  return is_among(kCountWords, second.text) && !is_among(kSingularWords, second.text);
 }
 
 bool is_fold_word(std::string_view word) { return is_among(kFoldWords, word); }

@@ -20,6 +20,10 @@ bool tells_only_quantity(std::string_view text);
 /// "cut 2 fabric + 2 fusible".
 bool is_cutting_order(std::string_view text);
 
+/// Whether the text begins with a figure and a word of counting or an x, whatever follows: "2 volte stoffa",
+/// "x2 en vis-à-vis". It may be a name all the same.
+bool begins_with_count(std::string_view text);
+
 /// Whether the word (small Latin letters) is one for a fold of cloth.
 bool is_fold_word(std::string_view word);
 

@@ -148,7 +148,8 @@ constexpr std::string_view kDutch =
     "lijfje=bodice;lijf=bodice;heupstuk=yoke;heuppas=yoke;schouderbandje=strap;bandje=strap;"
     "strook=ruffle;gulp=fly;lus=loop;riemlus=loop;riem=belt;ceintuur=belt;klep=flap;"
     "biaisband=binding;knoopsluiting=placket;polo sluiting=placket;tussenvoering=interlining;"
-    "vlieseline=interlining;baan=panel;rokbaan=skirt panel;tuinbroek=pants;trui=sweater;spie=gusset;"
+    "ophanglus=loop;hanglus=loop;lusje=loop;vlieseline=interlining;baan=panel;rokbaan=skirt "
+    "panel;tuinbroek=pants;trui=sweater;spie=gusset;"
     "kruisje=gusset;"
     "rugdeel=back;voordeel=front;achterdeel=back;zakklep=flap;kap=hood;schouderpas=yoke;"
     "mouwen=sleeve;halsboordje=neckband;boordje=rib;bloes=blouse;vest=vest;voorbroek=front pants;"
@@ -221,7 +222,8 @@ constexpr std::string_view kSwedishDanishNorwegian =
     "forbukse=front pants;bakbukse=back pants;forskjort=front skirt;bakskjort=back skirt;forstykker=front;"
     "bagstykker=back;talje=waist;taljeband=waistband;linning rem=waistband;aermelinning=cuff;manchetter=cuff;"
     "slag=lapel;volanger=ruffle;genser=sweater;troja=sweater;troje=sweater;frakke=coat;"
-    "knappsla=placket;knapsla=placket;";
+    "knappsla=placket;knapsla=placket;mellanlagg=interlining;mellemlaeg=interlining;mellomlegg=interlining;"
+    "slejf=loop;hallare=loop;skarpslejf=loop;halsduk=tie;scarf=tie;";
 
 constexpr std::string_view kCzechSlovak =
     "predni=front;predny=front;predne=front;zadni=back;zadny=back;zadne=back;predni dil=front;"

@@ -146,9 +146,13 @@ bool same_edges(const SeamModel& m, Index p, Index q) {
   return std::equal(lengths[0].begin(), lengths[0].end(), lengths[1].begin(), lengths[1].end(), equally_long);
 }
 
-bool mirrors_itself(const SeamModel& m, Index panel) {
+namespace {
+
+/// Whether the panel is its own mirror image across the grain, or along it where it is longer so; `up` is the
+/// way of the grain.
+bool mirrors_along(const SeamModel& m, Index panel, Vec2 up) {
   constexpr double kNear = 0.03;  // of its length
-  const Vec2 up = m.up[panel], right{up.y, -up.x};
+  const Vec2 right{up.y, -up.x};
   std::vector<Vec2> points;  // across the grain, along it
   Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
   for (const Index r : runs_of(m, panel)) {
@@ -160,17 +164,31 @@ bool mirrors_itself(const SeamModel& m, Index panel) {
     }
   }
   const Vec2 size = high - low;
-  const bool wide = size.x > size.y || m.words[panel].kind == PieceKind::kTorso;
   const double most = kNear * std::max(size.x, size.y);
-  return std::all_of(points.begin(), points.end(), [&](Vec2 p) {
-    const Vec2 image = wide ? Vec2{low.x + high.x - p.x, p.y} : Vec2{p.x, low.y + high.y - p.y};
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Vec2 a = points[k], b = points[(k + 1) % points.size()], along = b - a;
-      const double share = dot(along, along) > 0 ? dot(image - a, along) / dot(along, along) : 0;
-      if (length(image - a - std::clamp(share, 0.0, 1.0) * along) < most) return true;
-    }
-    return false;
-  });
+  const auto turned_over = [&](bool across) {
+    return std::all_of(points.begin(), points.end(), [&](Vec2 p) {
+      const Vec2 image = across ? Vec2{low.x + high.x - p.x, p.y} : Vec2{p.x, low.y + high.y - p.y};
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const Vec2 a = points[k], b = points[(k + 1) % points.size()], along = b - a;
+        const double share = dot(along, along) > 0 ? dot(image - a, along) / dot(along, along) : 0;
+        if (length(image - a - std::clamp(share, 0.0, 1.0) * along) < most) return true;
+      }
+      return false;
+    });
+  };
+  const PieceKind kind = m.words[panel].kind;
+  if (size.x > size.y || kind == PieceKind::kTorso) return turned_over(true);
+  return turned_over(false) || (kind == PieceKind::kCollar && turned_over(true));  // sailors' are deep
+}
+
+}  // namespace
+
+bool mirrors_itself(const SeamModel& m, Index panel) {
+  constexpr double kSlant = 0.99;  // cosine: grain lines are drawn by hand
+  const Vec2 up = m.up[panel];
+  const Vec2 drawn =
+      std::abs(up.x) > std::abs(up.y) ? Vec2{up.x > 0 ? 1.0 : -1.0, 0} : Vec2{0, up.y > 0 ? 1.0 : -1.0};
+  return mirrors_along(m, panel, up) || (dot(up, drawn) > kSlant && mirrors_along(m, panel, drawn));
 }
 
 void tell_front_and_back(SeamModel& m) {

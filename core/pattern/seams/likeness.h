@@ -15,8 +15,9 @@ std::vector<Index> runs_of(const SeamModel& m, Index panel);
 /// Whether one piece is the other, or its mirror image, by the lengths of its edges.
 bool same_edges(const SeamModel& m, Index p, Index q);
 
-/// Whether the piece turned over across its length, of a trunk across its grain, is the piece itself, but for
-/// a button stand. REQUIRES the model's runs and `up`.
+/// Whether the piece turned over across its length, of a trunk across its grain and of a collar either way,
+/// is the piece itself, but for a button stand; grain lines may be drawn a little aslant. REQUIRES the
+/// model's runs and `up`.
 bool mirrors_itself(const SeamModel& m, Index panel);
 
 /// Two pieces alike that are all of a skirt and each its own mirror image are its front and its back, which

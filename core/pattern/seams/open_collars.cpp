@@ -1,6 +1,8 @@
 #include "core/pattern/seams/open_collars.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,30 @@ bool goes_all_around(const SeamModel& m, const Series& side) {
          });
 }
 
+/// Whether a front on the fold has a neck that comes to a point in its middle: a V.
+bool has_v_neck(const SeamModel& m) {
+  constexpr double kPointed = 215;  // degrees, of the cloth around it
+  return std::any_of(m.runs.begin(), m.runs.end(), [&](const SeamRun& before) {
+    const SeamRun& after = m.runs[before.next];
+    const PieceWords& words = m.words[before.panel];
+    return words.kind == PieceKind::kTorso && words.face > 0 && !words.layer && after.angle > kPointed &&
+           before.edge != after.edge && before.mirror_panel == before.panel &&
+           before.mirror_edge == after.edge;
+  });
+}
+
+/// Whether the piece is broader than what only finishes a neck, by its area over its longest edge.
+bool is_broad(const SeamModel& m, Index panel) {
+  constexpr double kBroad = 60;  // mm
+  double twice_area = 0, longest = 0;
+  for (const SeamRun& run : m.runs) {
+    if (run.panel != panel) continue;
+    for (std::size_t k = 1; k < run.at.size(); ++k) twice_area += cross(run.at[k - 1], run.at[k]);
+    longest = std::max(longest, run.length);
+  }
+  return std::abs(twice_area) / 2 > kBroad * longest;
+}
+
 /// From the middle of element `k` on, around to there.
 Series begun_within(const Series& side, std::size_t k) {
   Series begun{side[k]};
@@ -51,8 +77,9 @@ Series begun_within(const Series& side, std::size_t k) {
 }  // namespace
 
 bool closes_open_collar(const SeamModel& m, const pattern::Seam& seam) {
-  return m.open_neck && is_collar(m, seam.a) && is_collar(m, seam.b) &&
-         seam.a.front().panel == seam.b.front().panel;
+  const Index panel = seam.a.front().panel;
+  return is_collar(m, seam.a) && is_collar(m, seam.b) && panel == seam.b.front().panel &&
+         (m.open_neck || (is_broad(m, panel) && has_v_neck(m)));
 }
 
 void begin_in_front(const SeamModel& m, pattern::Seam& seam) {

@@ -11,6 +11,7 @@
 #include "core/base/latin_letters.h"
 #include "core/base/text.h"
 #include "core/pattern/seams/abbreviations.h"
+#include "core/pattern/seams/part_codes.h"
 #include "core/pattern/seams/parts_of_words.h"
 #include "core/pattern/seams/piece_terms.h"
 #include "core/pattern/seams/word_stems.h"
@@ -120,8 +121,8 @@ std::string without_style_codes(std::string name) {
 }  // namespace
 
 std::vector<std::string> words_of_piece(std::string_view name) {
-  std::vector<std::string> words = words_of_name(
-      in_latin_letters(with_signs_told(without_elided(without_style_codes(std::string(name))))));
+  std::vector<std::string> words = words_of_name(in_latin_letters(
+      with_signs_told(without_elided(without_style_codes(with_code_spelled_out(std::string(name)))))));
   tell_short_faces(words);
   std::erase_if(words, [](const std::string& w) { return is_article(w); });
   std::string english;

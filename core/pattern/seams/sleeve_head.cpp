@@ -100,15 +100,49 @@ double marked(const pattern::Pattern& pattern, const Part& part, double s) {
   return best;
 }
 
+/// Whether the part lies at the upper end of its piece: then that stands upright, whether the drawing says so
+/// or not.
+bool lies_on_top(const pattern::Pattern& pattern, const SeamModel& m, const Part& part) {
+  constexpr double kUpper = 0.7;  // of the piece's height
+  const Index panel = part.edge.panel;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const SeamRun& run : m.runs) {
+    if (run.panel != panel) continue;
+    for (const Vec2& at : run.at) {
+      low = std::min(low, dot(at, m.up[panel]));
+      high = std::max(high, dot(at, m.up[panel]));
+    }
+  }
+  const std::vector<double> places = millimetres(part);
+  double sum = 0;
+  for (const double s : places) sum += height(pattern, m, part, s);
+  return sum / static_cast<double>(places.size()) > low + kUpper * (high - low);
+}
+
+/// The height of the higher end of what the ring has of the part's piece: pieces are drawn at any height, so
+/// that only what rises above its own ends is the head.
+double higher_end(const pattern::Pattern& pattern, const SeamModel& m, const Ring& sleeve, Index panel) {
+  double end = -HUGE_VAL;
+  for (std::size_t i = 0; i < sleeve.size(); ++i) {
+    const Part &here = sleeve[i], &next = sleeve[(i + 1) % sleeve.size()];
+    if (here.edge.panel == next.edge.panel) continue;
+    if (here.edge.panel == panel) end = std::max(end, height(pattern, m, here, here.length));
+    if (next.edge.panel == panel) end = std::max(end, height(pattern, m, next, 0));
+  }
+  return end;
+}
+
 std::optional<Head> head_of(const pattern::Pattern& pattern, const SeamModel& m, const Ring& sleeve) {
   double start = 0, highest = -HUGE_VAL;
   std::size_t on = 0;
   Head head;
   for (std::size_t i = 0; i < sleeve.size(); start += sleeve[i].length, ++i) {
     const Index panel = sleeve[i].edge.panel;
-    if (m.words[panel].kind != PieceKind::kSleeve || !m.upright[panel]) return std::nullopt;
+    const bool upright = m.upright[panel] || lies_on_top(pattern, m, sleeve[i]);
+    if (m.words[panel].kind != PieceKind::kSleeve || !upright) return std::nullopt;
+    const double end = higher_end(pattern, m, sleeve, panel);
     for (const double s : millimetres(sleeve[i])) {
-      const double h = height(pattern, m, sleeve[i], s);
+      const double h = height(pattern, m, sleeve[i], s) - end;
       if (h <= highest) continue;
       highest = h;
       on = i;
@@ -213,12 +247,15 @@ void set_in(const Setting& s, SeamProposal& p) {
   (s.armhole_is_a ? p.length_b : p.length_a) = length_of(turned);
 }
 
+/// Whether each part of x has its mirror image in y; a back on the fold has both in one piece.
 bool are_twins(const SeamModel& m, const Ring& x, const Ring& y) {
+  const auto mirrored = [&](const pattern::SeamEdge& a, const pattern::SeamEdge& b) {
+    return m.twin[a.panel] == b.panel && (a.panel != b.panel || a.edge != b.edge);
+  };
   return x.size() == y.size() && x.front().backwards == y.front().backwards &&
          std::all_of(x.begin(), x.end(), [&](const Part& part) {
-           return std::any_of(y.begin(), y.end(), [&](const Part& other) {
-             return m.twin[part.edge.panel] == other.edge.panel && part.edge.panel != other.edge.panel;
-           });
+           return std::any_of(y.begin(), y.end(),
+                              [&](const Part& other) { return mirrored(part.edge, other.edge); });
          });
 }
 

@@ -16,7 +16,7 @@ namespace toile::seams {
 /// piece, neither arm is the wrong one.
 ///
 /// `rings` are numbers of proposals whose two sides each run all around. `model` says of each panel what it
-/// is; its runs are not asked. Leaves alone what is no sleeve of two pieces with one that holds the highest
+/// is. Leaves alone what is no sleeve of two pieces with one that holds the highest
 /// point between its ends, or no armhole between a front and a back.
 void set_in_sleeves(const pattern::Pattern& pattern, const SeamModel& model, const std::vector<Index>& rings,
                     std::vector<SeamProposal>& proposals);

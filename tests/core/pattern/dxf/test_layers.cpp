@@ -1,7 +1,9 @@
 // What a person says of layers, where a drawing's layers are not those of AAMA.
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include "tests/core/pattern/dxf/dxf_trial.h"
 
@@ -83,6 +85,27 @@ TEST(DxfLayers, NamesOfOnesOwnReadAsTheUsualOnesOnceTheyAreTold) {
                                                         {"B", DxfRole::kDrill},
                                                         {"E", DxfRole::kTurn},
                                                         {"L", DxfRole::kCutout}})));
+}
+
+TEST(DxfLayers, OfNotchesAndGrainLinesAreKnownByTheirNamesWhereOthersGoByShape) {
+  for (const auto& [notch, grain] : {std::pair{"TACCHE", "DRITTOFILO"},
+                                     std::pair{"NACI\u0118CIA", "46_NITKA"}, std::pair{"Crans", "Droit_fil"},
+                                     std::pair{"Knipse", "Fadenlauf"}, std::pair{"notches", "grain line"}}) {
+    const std::string arrow = line({100, 206}, {106, 200}, grain) + line({200, 200}, {100, 206}, grain);
+    const dxf::DxfDrawing d =
+        read_trial(entities(rectangle({0, 0}, 300, 400, "KONTUR") + line({0, 200}, {6, 200}, notch) + arrow +
+                            line({50, 100}, {50, 300}, "INNEN")),
+                   in_mm());
+    ASSERT_EQ(d.pieces.size(), 1u) << notch;
+    EXPECT_EQ(d.pieces[0].notches.size(), 1u) << notch;
+    EXPECT_EQ(d.pieces[0].internals.size(), 1u) << grain;
+    ASSERT_TRUE(d.pieces[0].grain) << grain;
+    EXPECT_NEAR(std::abs(d.pieces[0].grain->x), 1, 0.01) << "the line's way and not that of its arrow's head";
+    const auto uses = d.layers;
+    EXPECT_TRUE(std::any_of(uses.begin(), uses.end(), [&](const dxf::DxfLayerUse& use) {
+      return use.name == notch && dxf::read_as(use) == "notch";
+    })) << notch;
+  }
 }
 
 TEST(DxfLayers, WhatTellsNothingNewChangesNothing) {

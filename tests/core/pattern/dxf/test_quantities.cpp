@@ -127,6 +127,19 @@ TEST(DxfQuantities, StatementsOfOtherLanguagesAreRead) {
   }
 }
 
+TEST(DxfQuantities, AFigureAndAWordOfCountingAreAQuantityWhateverFollows) {
+  for (const char* text : {"2 volte stoffa", "2 pcs main fabric", "2 Stk. Oberstoff", "2 szt. tkanina",
+                           "x2 en vis-\u00e0-vis", "2x Oberstoff"}) {
+    const dxf::DxfDrawing drawing = pieces_with({{"MANICA", text}, {"DIETRO"}});
+    EXPECT_EQ(drawing.pieces[0].name, "MANICA") << text;
+    EXPECT_EQ(drawing.pieces[0].quantity, 2) << text;
+    EXPECT_EQ(drawing.pieces[1].quantity, 1) << text;
+  }
+  for (const char* text : {"2 PIECE SLEEVE", "2X", "2X LARGE", "5 x 5", "x 2 x 3", "SIZE 2"})
+    EXPECT_FALSE(dxf::begins_with_count(text)) << text;
+  EXPECT_EQ(pieces_with({{"2 pcs sleeve"}, {"BACK"}}).pieces[0].name, "2 pcs sleeve");
+}
+
 TEST(DxfQuantities, ATextThatBeginsWithHowOftenToCutIsAnOrderAndNoName) {
   for (const char* text : {"TAGLIARE 2 (DX+SX)", "Cut 2 fabric + 2 fusible", "cortar 2 tela"})
     EXPECT_TRUE(dxf::is_cutting_order(text)) << text;

@@ -146,6 +146,30 @@ TEST(DxfRead, MirroredPlanesTurnPiecesOver) {
   EXPECT_EQ(read(entities(body)).pieces[0].outline[1], (Vec2{-30, 0}));
 }
 
+TEST(DxfRead, WhereTwoArcsMeetAtAnAngleAnEdgeEnds) {
+  // A pointed arch over a line of 200: its arcs turn by `degrees` at the top.
+  const auto edges = [](double degrees) {
+    const double slope = std::tan(degrees / 2 * kPi / 180);
+    const double height = 100 * (slope + std::sqrt(slope * slope + 1)), off = slope * height;
+    const double radius = 100 + off, top = std::atan2(height, off) * 180 / kPi;
+    const auto arc = [&](double x, double from, double to) {
+      return groups({{0, "ARC"},
+                     {8, "0"},
+                     {10, number(x)},
+                     {20, "0"},
+                     {40, number(radius)},
+                     {50, number(from)},
+                     {51, number(to)}});
+    };
+    const dxf::DxfDrawing d =
+        read(entities(line({0, 0}, {200, 0}) + arc(100 - off, 0, top) + arc(100 + off, 180 - top, 180)));
+    const auto panel = dxf::panel_from_piece(d.pieces.at(0));
+    return panel ? panel->outline.edges.size() : 0;
+  };
+  EXPECT_EQ(edges(30), 3u) << "less than what counts as a corner of a polyline";
+  EXPECT_EQ(edges(10), 2u);
+}
+
 TEST(DxfRead, SplinesFollowTheirControlPointsAndWeights) {
   // A quarter circle of radius 100 as a rational quadratic, closed by two lines.
   const std::string spline = groups({{0, "SPLINE"}, {8, "0"},

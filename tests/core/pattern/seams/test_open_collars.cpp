@@ -36,6 +36,28 @@ TEST(OpenCollars, APlacketKeepsACollarsEndsApartAndOpensItInFront) {
   EXPECT_TRUE(around) << open.text();
 }
 
+TEST(OpenCollars, ABroadCollarOnAVStaysOpenAndABandThereDoesNot) {
+  const auto closes = [](double breadth, bool v) {
+    pattern::Pattern p;
+    const double neck = v ? 480 : 630;
+    p.panels = {garments::piece("Front", {{-250, 0},
+                                          {250, 0},
+                                          {245, 380},
+                                          {200, 600},
+                                          {70, 640},
+                                          {0, neck},
+                                          {-70, 640},
+                                          {-200, 600},
+                                          {-245, 380}}),
+                garments::plain_top("Back", 620), strip("Collar", 800, breadth)};
+    const seams::SeamModel m = seams::make_seam_model(p);
+    return seams::closes_open_collar(m, {"s", {{2, 1}}, {{2, 3}}});
+  };
+  EXPECT_TRUE(closes(150, true));
+  EXPECT_FALSE(closes(40, true)) << "a band";
+  EXPECT_FALSE(closes(150, false)) << "a blunt corner is no V";
+}
+
 TEST(OpenCollars, BeginBetweenTwoFronts) {
   pattern::Pattern p;
   const std::vector<garments::Node> half{{0, 0}, {250, 0}, {245, 380}, {200, 600}, {70, 640}, {0, 560}};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/pattern/seams/second_layers.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -425,6 +427,32 @@ TEST(PairRules, ASleeveWhoseGrainLineRunsDownStandsOnItsWristAllTheSame) {
     EXPECT_GT(m.runs[run_of(m, 1, 2)].up, 0.9) << sense;
     EXPECT_GT(m.up[1].y, 0.9) << sense;
   }
+}
+
+TEST(SecondLayers, AYokesLiningIsFoundWhereItsGrainLineIsDrawnAslant) {
+  pattern::Panel yoke =
+      piece("YOKE BACK", {{-200, 0}, {200, 0}, {205, 90}, {90, 120}, {0, 105}, {-90, 120}, {-205, 90}});
+  yoke.grain = normalized(Vec2{0.06, 1});
+  pattern::Panel lining = yoke;
+  lining.id = "YOKE BACK_2";
+  const auto front = piece("FRONT", {{-250, 0}, {250, 0}, {240, 400}, {200, 560}, {-200, 560}, {-240, 400}});
+  const std::vector<char> layers = seams::lying_on_others({{front, yoke, lining}, {}});
+  EXPECT_EQ(layers, (std::vector<char>{0, 0, 1}));
+}
+
+TEST(SecondLayers, ASailorsCollarIsDeepAndCutTwice) {
+  const pattern::Panel collar = piece("sailor collar", {{-180, 0},
+                                                        {180, 0},
+                                                        {200, 250},
+                                                        {60, 420},
+                                                        {75, 250, Vec2{40, 200}, Vec2{-40, 200}},
+                                                        {-75, 250},
+                                                        {-60, 420},
+                                                        {-200, 250}});
+  pattern::Panel under = collar;
+  under.id = "sailor collar_2";
+  const auto front = piece("FRONT", {{-250, 0}, {250, 0}, {240, 400}, {200, 560}, {-200, 560}, {-240, 400}});
+  EXPECT_EQ(seams::lying_on_others({{front, collar, under}, {}}), (std::vector<char>{0, 0, 1}));
 }
 
 }  // namespace

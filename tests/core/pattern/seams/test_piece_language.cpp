@@ -127,6 +127,21 @@ TEST(PieceLanguage, WhatMayShortenSeveralTermsOrNoneStaysAsItIs) {
     EXPECT_EQ(words_of_piece(name), Words{name});
 }
 
+TEST(PieceLanguage, PartCodesBehindAStylesNumberAreSpelledOut) {
+  EXPECT_EQ(words_of_piece("4417-FP_mirrored"), (Words{"front", "panel", "mirrored"}));
+  EXPECT_EQ(words_of_piece("K6114-BFC"), (Words{"back", "facing"}));
+  EXPECT_EQ(words_of_piece("PD3107-03-CB"), (Words{"center", "back"}));
+  for (const char* layer : {"4417-PBG", "K6114-FFCI", "QZ3380-ZGD", "4417-BPK_2", "4417-FLS"})
+    EXPECT_TRUE(seams::words_of(layer).layer) << layer;
+  EXPECT_TRUE(seams::words_of("QZ3380-SPN").flank);
+  EXPECT_TRUE(seams::words_of("4417-YK L").yoke);
+  // Not without such a number, nor beside other words, nor where no code is known.
+  EXPECT_EQ(words_of_piece("FP"), (Words{"fp"}));
+  EXPECT_EQ(words_of_piece("FP 12"), (Words{"fp"}));
+  EXPECT_EQ(words_of_piece("4417-BS DEVANT"), (Words{"bs", "front"}));
+  EXPECT_EQ(words_of_piece("4417-XQ"), (Words{"xq"}));
+}
+
 TEST(PieceLanguage, LeftHandsCordsAndElasticsAreKnown) {
   EXPECT_EQ(seams::words_of("0417-FRT LH").side, -1);
   EXPECT_EQ(seams::words_of("0417-FRT RH").side, 1);

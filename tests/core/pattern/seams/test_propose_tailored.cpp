@@ -210,9 +210,10 @@ std::vector<SeamProposal> sleeve_heads(const pattern::Pattern& pattern,
   return heads;
 }
 
-TEST_F(TailoredJacket, GivesEachArmTheSleeveWhoseElbowIsBehind) {
-  for (const SeamProposal& p : sleeve_heads(pattern_, proposals_)) {
-    const auto [armhole, sleeve] = armhole_and_sleeve(pattern_, p);
+/// Whether the seam at the elbow of each sleeve lies behind.
+void expect_elbows_behind(const pattern::Pattern& pattern, const std::vector<SeamProposal>& proposals) {
+  for (const SeamProposal& p : sleeve_heads(pattern, proposals)) {
+    const auto [armhole, sleeve] = armhole_and_sleeve(pattern, p);
     int seams = 0;
     for (std::size_t k = 0; k < sleeve.size(); ++k) {
       const std::string &here = sleeve[k].piece, &next = sleeve[(k + 1) % sleeve.size()].piece;
@@ -226,6 +227,10 @@ TEST_F(TailoredJacket, GivesEachArmTheSleeveWhoseElbowIsBehind) {
   }
 }
 
+TEST_F(TailoredJacket, GivesEachArmTheSleeveWhoseElbowIsBehind) {
+  expect_elbows_behind(pattern_, proposals_);
+}
+
 /// Whether each sleeve's highest point lies at the shoulder.
 void expect_highest_at_shoulder(const pattern::Pattern& pattern, const std::vector<SeamProposal>& proposals) {
   const std::vector<SeamProposal> heads = sleeve_heads(pattern, proposals);
@@ -233,7 +238,8 @@ void expect_highest_at_shoulder(const pattern::Pattern& pattern, const std::vect
   for (const SeamProposal& p : heads) {
     const auto [armhole, sleeve] = armhole_and_sleeve(pattern, p);
     double highest = 0, at_shoulder = 0;
-    for (const Place& place : sleeve) highest = std::max(highest, place.at.y);
+    for (const Place& place : sleeve)
+      if (place.piece.starts_with("topsleeve")) highest = std::max(highest, place.at.y);
     for (std::size_t k = 0; k + 1 < armhole.size(); ++k) {
       const std::string &x = armhole[k].piece, &y = armhole[k + 1].piece;
       if ((x.starts_with("front") && y.starts_with("back")) ||
@@ -254,6 +260,43 @@ TEST(Tailored, ASleeveWhoseHighestPointIsInItsMiddleIsTurnedToo) {
   even.outline.edges[2].curves.front().p2 = {20, 660};
   const pattern::Pattern jacket = with_mirror_images({front(), back(), side(), even, under_sleeve()});
   expect_highest_at_shoulder(jacket, seams::propose_seams(jacket));
+}
+
+TEST(Tailored, WhereOnTheSheetTheUndersleeveIsDrawnSaysNothingOfTheHighestPoint) {
+  pattern::Panel under = under_sleeve();
+  for (pattern::PanelEdge& edge : under.outline.edges)
+    for (auto& c : edge.curves)
+      for (Vec2* p : {&c.p0, &c.p1, &c.p2, &c.p3}) p->y += 900;
+  const pattern::Pattern jacket = with_mirror_images({front(), back(), side(), top_sleeve(), under});
+  expect_highest_at_shoulder(jacket, seams::propose_seams(jacket));
+}
+
+/// The jacket's body without its side panels, its back of one piece.
+pattern::Pattern with_whole_back() {
+  const pattern::Panel wide_front = garments::piece("front", {{200, 0},
+                                                              {262, 0},
+                                                              {290, 430, Vec2{222, 450}},
+                                                              {243, 690},
+                                                              {100, 726},
+                                                              {92, 668},
+                                                              {4, 670, Vec2{0, 330}, Vec2{0, 0}}});
+  pattern::Pattern pattern = with_mirror_images({wide_front, top_sleeve(), under_sleeve()});
+  pattern.panels.push_back(garments::piece("back", {{-262, 0},
+                                                    {262, 0},
+                                                    {290, 430, Vec2{240, 460}},
+                                                    {236, 680},
+                                                    {93, 714, Vec2{30, 694}, Vec2{-30, 694}},
+                                                    {-93, 714},
+                                                    {-236, 680, Vec2{-240, 460}},
+                                                    {-290, 430}}));
+  return pattern;
+}
+
+TEST(Tailored, SleevesAreSetIntoABackOfOnePieceAsIntoTwo) {
+  const pattern::Pattern jacket = with_whole_back();
+  const std::vector<SeamProposal> proposals = seams::propose_seams(jacket);
+  expect_highest_at_shoulder(jacket, proposals);
+  expect_elbows_behind(jacket, proposals);
 }
 
 TEST_F(TailoredJacket, SetsASleeveByTheNotchNearItsHighestPoint) {
