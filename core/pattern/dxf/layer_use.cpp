@@ -76,7 +76,7 @@ std::vector<DxfLayerUse> layer_uses(const DxfReport& report, const std::vector<D
     use.given = given_role(layer, given).has_value();
     use.drawn = drawn.by_aama.contains(layer) || drawn.by_shape.contains(layer);
     use.by_shape =
-        !told_role(layer, given) && !drawn.by_aama.contains(layer) && drawn.by_shape.contains(layer);
+        !told_role(layer, 0, given) && !drawn.by_aama.contains(layer) && drawn.by_shape.contains(layer);
     use.kinds.assign(kinds.begin(), kinds.end());
     for (const auto& [kind, count] : kinds) use.entities += count;
   }

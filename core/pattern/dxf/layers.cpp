@@ -51,9 +51,9 @@ DxfRole role_of_number(int number) {
 /// What layers of notches are called where a general program drew the pattern; small letters without accents
 /// or spaces, between semicolons.
 constexpr std::string_view kNotchWords =
-    ";notch;notches;tacca;tacche;tacchette;riscontro;riscontri;knips;knipse;knipsen;knip;knipjes;inkeping;"
+    ";notch;notches;tacca;tacche;tacchette;riscontro;riscontri;knips;knipse;knipsen;knipjes;inkeping;"
     "passzeichen;passermarken;kerbe;kerben;cran;crans;encoche;encoches;repere;reperes;piquete;piquetes;"
-    "muesca;muescas;aplomo;aplomos;pique;piques;hak;hack;klipp;klippe;jack;passmarken;passmarkering;"
+    "muesca;muescas;aplomo;aplomos;pique;piques;hak;hack;jack;passmarken;passmarkering;"
     "kohdistusmerkit;hakit;zarez;zarezy;naciecie;naciecia;nastrih;nastrihy;znacka;znacky;rovatka;"
     "illesztojel;crestatura;crestaturi;semn;semne;citlik;citlikler;cit;nadsechka;nadsechki;nasechka;"
     "nasechki;zasecka;zasecke;urez;urezi;takik;";
@@ -128,9 +128,11 @@ std::optional<DxfRole> given_role(const std::string& layer, const DxfLayerMap& g
   return it == given.end() ? std::nullopt : std::optional(it->second);
 }
 
-std::optional<DxfRole> told_role(const std::string& layer, const DxfLayerMap& given) {
+std::optional<DxfRole> told_role(const std::string& layer, double length_mm, const DxfLayerMap& given) {
+  constexpr double kLongestNotch = 40;  // mm; longer marks show where pockets lie
   if (const auto role = given_role(layer, given)) return role;
-  return plain_role(layer);
+  const auto role = plain_role(layer);
+  return role == DxfRole::kNotch && length_mm > kLongestNotch ? std::nullopt : role;
 }
 
 std::optional<int> layer_number(const std::string& layer) {

@@ -103,6 +103,14 @@ void place_mark(const DxfMark& mark, DxfRole role, const DxfTransform& to_mm, do
   pieces.notes.mark(mark.entity, told.fate, told.reason, owner->found.id);
 }
 
+/// mm, from vertex to vertex.
+double length_of(const DxfCurve& curve, const DxfTransform& to_mm) {
+  double sum = 0;
+  for (std::size_t k = 1; k < curve.vertices.size(); ++k)
+    sum += length(to_mm(curve.vertices[k].at) - to_mm(curve.vertices[k - 1].at));
+  return sum;
+}
+
 /// A notch drawn as a line: it begins at the outline.
 void place_line(const DxfCurve& curve, const DxfTransform& to_mm, DxfPieces& pieces) {
   if (curve.vertices.size() < 2 || curve.kind != DxfCurve::Kind::kPolyline) return;
@@ -144,15 +152,16 @@ void part_doubles(DxfPlaced& placed, DxfNotes& notes) {
 DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool by_aama,
                      const DxfReading& reading) {
   const DxfLayerMap& given = reading.settings.layers;
-  const auto meaning_of = [&](const std::string& layer) {
-    return by_aama || told_role(layer, given) ? role_of_layer(layer, given) : DxfRole::kOther;
+  const auto meaning_of = [&](const std::string& layer, double length_mm) {
+    return by_aama || told_role(layer, length_mm, given) ? role_of_layer(layer, given) : DxfRole::kOther;
   };
   for (const DxfPart& part : parts) {
     const DxfTransform to_mm = part.transform.scaled(reading.mm_per_unit);
     for (const DxfMark& mark : part.block->marks)
-      place_mark(mark, meaning_of(mark.layer), to_mm, reading.mm_per_unit, pieces);
+      place_mark(mark, meaning_of(mark.layer, 0), to_mm, reading.mm_per_unit, pieces);
     for (const DxfCurve& curve : part.block->curves)
-      if (!curve.closed && meaning_of(curve.layer) == DxfRole::kNotch) place_line(curve, to_mm, pieces);
+      if (!curve.closed && meaning_of(curve.layer, length_of(curve, to_mm)) == DxfRole::kNotch)
+        place_line(curve, to_mm, pieces);
   }
   for (DxfPlaced& placed : pieces.placed)
     if (placed.cut) part_doubles(placed, pieces.notes);

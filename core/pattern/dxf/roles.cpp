@@ -60,7 +60,8 @@ DxfRoles roles_of(const std::vector<DxfChain>& chains, const DxfLayerMap& given)
   DxfRoles roles;
   roles.by_aama = by_aama;
   for (std::size_t i = 0; i < chains.size(); ++i) {
-    const std::optional<DxfRole> told = told_role(chains[i].layer, given);
+    const std::optional<DxfRole> told =
+        told_role(chains[i].layer, geometry::polyline_length(chains[i].points), given);
     roles.told.push_back(told.has_value());
     roles.of.push_back(told ? *told : by_aama ? role_of(chains[i].layer) : DxfRole::kCut);
     if (chains[i].inner && roles.makes_outlines(i)) roles.of[i] = DxfRole::kInternal;

@@ -108,6 +108,14 @@ TEST(DxfLayers, OfNotchesAndGrainLinesAreKnownByTheirNamesWhereOthersGoByShape) 
   }
 }
 
+TEST(DxfLayers, ALongLineOnALayerOfMarksIsNoNotch) {
+  const dxf::DxfDrawing d = read_trial(
+      entities(rectangle({0, 0}, 300, 400, "KONTUR") + line({50, 300}, {200, 300}, "REPERES")), in_mm());
+  ASSERT_EQ(d.pieces.size(), 1u);
+  EXPECT_TRUE(d.pieces[0].notches.empty());
+  EXPECT_EQ(d.pieces[0].internals.size(), 1u) << "where a pocket lies";
+}
+
 TEST(DxfLayers, WhatTellsNothingNewChangesNothing) {
   expect_same_piece(read_trial(drawn({}), in_mm()),
                     read_trial(drawn({}), with_layers({{"1", DxfRole::kCut}, {"14", DxfRole::kSew}})));
