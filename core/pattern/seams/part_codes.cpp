@@ -1,11 +1,9 @@
 #include "core/pattern/seams/part_codes.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/base/text.h"
@@ -14,64 +12,22 @@ namespace toile::seams {
 namespace {
 
 /// Letters of two words or more, which no rule for shortened words finds (abbreviations.h).
-constexpr std::array<std::pair<std::string_view, std::string_view>, 52> kCodes{{{"fp", "front panel"},
-                                                                                {"bp", "back panel"},
-                                                                                {"fpn", "front panel"},
-                                                                                {"bpn", "back panel"},
-                                                                                {"spn", "side panel"},
-                                                                                {"sp", "side panel"},
-                                                                                {"fb", "front bodice"},
-                                                                                {"bb", "back bodice"},
-                                                                                {"fs", "front skirt"},
-                                                                                {"bs", "back skirt"},
-                                                                                {"cf", "center front"},
-                                                                                {"cb", "center back"},
-                                                                                {"sf", "side front"},
-                                                                                {"sb", "side back"},
-                                                                                {"fl", "front leg"},
-                                                                                {"bl", "back leg"},
-                                                                                {"yk", "yoke"},
-                                                                                {"fy", "front yoke"},
-                                                                                {"by", "back yoke"},
-                                                                                {"ts", "topsleeve"},
-                                                                                {"us", "undersleeve"},
-                                                                                {"fsl", "front sleeve"},
-                                                                                {"bsl", "back sleeve"},
-                                                                                {"tc", "collar"},
-                                                                                {"uc", "undercollar"},
-                                                                                {"cs", "collar stand"},
-                                                                                {"nb", "neckband"},
-                                                                                {"nkb", "neckband"},
-                                                                                {"hb", "hem band"},
-                                                                                {"hmb", "hem band"},
-                                                                                {"cfb", "cuff"},
-                                                                                {"wb", "waistband"},
-                                                                                {"fc", "facing"},
-                                                                                {"ffc", "front facing"},
-                                                                                {"bfc", "back facing"},
-                                                                                {"nfc", "neck facing"},
-                                                                                {"afc", "armhole facing"},
-                                                                                {"fnf", "front neck facing"},
-                                                                                {"bnf", "back neck facing"},
-                                                                                {"pkb", "pocket bag"},
-                                                                                {"pbg", "pocket bag"},
-                                                                                {"pfc", "pocket facing"},
-                                                                                {"bpk", "back pocket"},
-                                                                                {"fpk", "front pocket"},
-                                                                                {"cpk", "coin pocket"},
-                                                                                {"fls", "fly shield"},
-                                                                                {"flf", "fly facing"},
-                                                                                {"blp", "belt loop"},
-                                                                                {"zgd", "zip guard"},
-                                                                                {"zfc", "zip facing"},
-                                                                                {"tpe", "tape"},
-                                                                                {"ntp", "neck tape"}}};
+constexpr std::string_view kCodes =
+    ";fp=front panel;bp=back panel;fpn=front panel;bpn=back panel;spn=side panel;sp=side panel;"
+    "fb=front bodice;bb=back bodice;fs=front skirt;bs=back skirt;cf=center front;cb=center back;"
+    "sf=side front;sb=side back;fl=front leg;bl=back leg;yk=yoke;fy=front yoke;by=back yoke;ts=topsleeve;"
+    "us=undersleeve;fsl=front sleeve;bsl=back sleeve;tc=collar;uc=undercollar;cs=collar stand;nb=neckband;"
+    "nkb=neckband;hb=hem band;hmb=hem band;cfb=cuff;wb=waistband;fc=facing;ffc=front facing;"
+    "bfc=back facing;nfc=neck facing;afc=armhole facing;fnf=front neck facing;bnf=back neck facing;"
+    "pkb=pocket bag;pbg=pocket bag;pfc=pocket facing;bpk=back pocket;fpk=front pocket;cpk=coin pocket;"
+    "fls=fly shield;flf=fly facing;blp=belt loop;zgd=zip guard;zfc=zip facing;tpe=tape;ntp=neck tape;";
 
 std::optional<std::string> spelled_alone(std::string_view code) {
-  const auto known =
-      std::find_if(kCodes.begin(), kCodes.end(), [&](const auto& entry) { return entry.first == code; });
-  if (known == kCodes.end()) return std::nullopt;
-  return std::string(known->second);
+  const std::string key = ";" + std::string(code) + "=";
+  const std::size_t at = kCodes.find(key);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::size_t begin = at + key.size();
+  return std::string(kCodes.substr(begin, kCodes.find(';', begin) - begin));
 }
 
 /// "ffci" is the interlining of a "ffc".
