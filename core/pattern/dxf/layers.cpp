@@ -74,15 +74,11 @@ std::string plain_name(const std::string& layer) {
   return name.erase(0, std::min(name.size(), name.find_first_not_of("0123456789")));
 }
 
-bool is_among(std::string_view words, const std::string& name) {
-  return !name.empty() && words.find(";" + name + ";") != std::string_view::npos;
-}
-
 /// What holds whether a drawing goes by AAMA's layers or not.
 std::optional<DxfRole> plain_role(const std::string& layer) {
   const std::string name = plain_name(layer);
-  if (is_among(kNotchWords, name)) return DxfRole::kNotch;
-  if (is_among(kGrainWords, name)) return DxfRole::kGrain;
+  if (is_listed(kNotchWords, name)) return DxfRole::kNotch;
+  if (is_listed(kGrainWords, name)) return DxfRole::kGrain;
   return std::nullopt;
 }
 

@@ -40,8 +40,7 @@ using DxfLayerMap = std::map<std::string, DxfRole>;
 std::optional<DxfRole> given_role(const std::string& layer, const DxfLayerMap& given);
 
 /// What holds of a line so long (a point: 0) in any drawing, whether its layers have AAMA's meaning or not:
-/// what is given, and that a layer is one of notches or of grain lines by its name, in any of twenty
-/// languages.
+/// what is given, and that a layer is one of notches or of grain lines by its name, in many languages.
 std::optional<DxfRole> told_role(const std::string& layer, double length_mm, const DxfLayerMap& given);
 
 /// As given, else by the layer's number or name.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -103,14 +105,6 @@ void place_mark(const DxfMark& mark, DxfRole role, const DxfTransform& to_mm, do
   pieces.notes.mark(mark.entity, told.fate, told.reason, owner->found.id);
 }
 
-/// mm, from vertex to vertex.
-double length_of(const DxfCurve& curve, const DxfTransform& to_mm) {
-  double sum = 0;
-  for (std::size_t k = 1; k < curve.vertices.size(); ++k)
-    sum += length(to_mm(curve.vertices[k].at) - to_mm(curve.vertices[k - 1].at));
-  return sum;
-}
-
 /// A notch drawn as a line: it begins at the outline.
 void place_line(const DxfCurve& curve, const DxfTransform& to_mm, DxfPieces& pieces) {
   if (curve.vertices.size() < 2 || curve.kind != DxfCurve::Kind::kPolyline) return;
@@ -149,19 +143,29 @@ void part_doubles(DxfPlaced& placed, DxfNotes& notes) {
 
 }  // namespace
 
-DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, bool by_aama,
-                     const DxfReading& reading) {
+DxfPieces with_marks(DxfPieces pieces, const std::vector<DxfPart>& parts, const std::vector<DxfChain>& chains,
+                     const DxfRoles& roles, const DxfReading& reading) {
   const DxfLayerMap& given = reading.settings.layers;
-  const auto meaning_of = [&](const std::string& layer, double length_mm) {
-    return by_aama || told_role(layer, length_mm, given) ? role_of_layer(layer, given) : DxfRole::kOther;
+  std::set<std::size_t> notches;  // entities
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    if (roles.meaning(i) == DxfRole::kNotch)
+      notches.insert(chains[i].entities.begin(), chains[i].entities.end());
+  const auto meaning_of_point = [&](const std::string& layer) {
+    return roles.by_aama || told_role(layer, 0, given) ? role_of_layer(layer, given) : DxfRole::kOther;
+  };
+  const auto is_notch = [&](const DxfCurve& curve) {
+    if (curve.closed) return false;
+    const bool by_layer =
+        roles.by_aama || given_role(curve.layer, given);  // a line without length is no chain
+    return notches.contains(curve.entity) ||
+           (by_layer && role_of_layer(curve.layer, given) == DxfRole::kNotch);
   };
   for (const DxfPart& part : parts) {
     const DxfTransform to_mm = part.transform.scaled(reading.mm_per_unit);
     for (const DxfMark& mark : part.block->marks)
-      place_mark(mark, meaning_of(mark.layer, 0), to_mm, reading.mm_per_unit, pieces);
+      place_mark(mark, meaning_of_point(mark.layer), to_mm, reading.mm_per_unit, pieces);
     for (const DxfCurve& curve : part.block->curves)
-      if (!curve.closed && meaning_of(curve.layer, length_of(curve, to_mm)) == DxfRole::kNotch)
-        place_line(curve, to_mm, pieces);
+      if (is_notch(curve)) place_line(curve, to_mm, pieces);
   }
   for (DxfPlaced& placed : pieces.placed)
     if (placed.cut) part_doubles(placed, pieces.notes);

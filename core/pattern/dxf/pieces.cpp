@@ -25,7 +25,7 @@ Result<DxfPlacePieces> pieces_of(const DxfPlace& place, const DxfReading& readin
   pieces.is_block = place.is_block;
   pieces = with_holes(std::move(pieces), chains, roles, loops, seams);
   pieces = with_lines(std::move(pieces), chains, roles);
-  pieces = with_marks(std::move(pieces), place.parts, roles.by_aama, reading);
+  pieces = with_marks(std::move(pieces), place.parts, chains, roles, reading);
   pieces = unfolded(std::move(pieces), chains, folds);
 
   DxfPlacePieces made{{}, drawing.drawn, std::move(drawing.notes)};

@@ -18,9 +18,8 @@ constexpr int kMostTold = 12;  // of one piece; greater figures are sizes
 // Small letters without accents, between semicolons.
 constexpr std::string_view kCountWords =
     ";pc;pcs;st;piece;pieces;pce;pces;pieza;piezas;peca;pecas;pezzo;pezzi;pz;stk;stck;stuck;stueck;stuks;"
-    "styck;"
-    "szt;sztuk;sztuki;ks;kusy;kus;adet;kpl;kappaletta;db;darab;buc;bucati;kom;komada;kosa;sht;det;detali;"
-    "mal;fois;vez;veces;vezes;volte;keer;krat;raz;razy;times;kez;gange;ganger;";
+    "styck;szt;sztuk;sztuki;ks;kusy;kus;adet;kpl;kappaletta;db;darab;buc;bucati;kom;komada;kosa;sht;det;"
+    "detali;mal;fois;vez;veces;vezes;volte;keer;krat;raz;razy;times;kez;gange;ganger;";
 /// Of these, the words for a single one: "2 PIECE SLEEVE" is a name.
 constexpr std::string_view kSingularWords = ";piece;pieza;peca;pezzo;";
 constexpr std::string_view kPairWords = ";pair;paire;par;pari;paar;paio;coppia;paru;pereche;cift;";
@@ -31,18 +30,11 @@ constexpr std::string_view kFoldWords =
     "vikning;tygvikning;vikt;dubbelvikt;vik;tygvik;fold;stoffold;sgib;sgibom;presavijen;pregib;";
 /// Beside all these, where a text tells of nothing but how often a piece is cut.
 constexpr std::string_view kBesideWords =
-    ";x;on;the;of;en;vis;mot;tyg;stof;stoff;in;aan;de;het;op;para;bias;biais;schuin;sbieco;schrag;lesie;im;"
-    "am;auf;"
-    "au;aux;al;a;sur;sul;"
-    "na;so;po;v;do;w;ve;i;and;und;et;y;e;mirrored;mirror;mirr;mir;"
-    "gespiegelt;"
-    "spiegelbildlich;gegengleich;zerkalno;zrcadlove;zrcadlovo;aynali;spegelvand;spegelvant;speculare;"
-    "speculari;"
-    "miroir;espejo;espelhado;gespiegeld;peilikuva;tukrozve;tukorkep;lustrzane;oglinda;zrcalno;";
-
-bool is_among(std::string_view list, std::string_view word) {
-  return list.find(";" + std::string(word) + ";") != std::string_view::npos;
-}
+    ";x;on;the;of;en;vis;mot;tyg;stof;stoff;in;aan;de;het;op;para;bias;biais;schuin;sbieco;schrag;lesie;"
+    "im;am;auf;au;aux;al;a;sur;sul;na;so;po;v;do;w;ve;i;and;und;et;y;e;mirrored;mirror;mirr;mir;"
+    "gespiegelt;spiegelbildlich;gegengleich;zerkalno;zrcadlove;zrcadlovo;aynali;spegelvand;spegelvant;"
+    "speculare;speculari;miroir;espejo;espelhado;gespiegeld;peilikuva;tukrozve;tukorkep;lustrzane;oglinda;"
+    "zrcalno;";
 
 /// A row of digits or of letters.
 struct Token {
@@ -94,11 +86,11 @@ int counted_by(const std::vector<Token>& tokens) {
                          (i + 2 < tokens.size() && after == "x" && tokens[i + 2].figure >= 0);
     if (crossed) continue;                // "5 x 5" are lengths
     const int figure = tokens[i].figure;  // "2 (pair)" are two, "2 pairs" four
-    if (is_among(kManyPairWords, after)) return 2 * figure;
+    if (is_listed(kManyPairWords, after)) return 2 * figure;
     const bool last = i + 2 == tokens.size();  // "2 para forro" are two for a lining
-    if (is_among(kPairWords, after) || (last && after == "para"))
+    if (is_listed(kPairWords, after) || (last && after == "para"))
       return figure % 2 == 0 ? figure : 2 * figure;
-    if (before == "x" || after == "x" || tells_cutting(before) || is_among(kCountWords, after) ||
+    if (before == "x" || after == "x" || tells_cutting(before) || is_listed(kCountWords, after) ||
         is_quantity(before))
       return figure;
   }
@@ -110,10 +102,10 @@ int counted_by(const std::vector<Token>& tokens) {
 std::optional<DxfQuantity> told_quantity(std::string_view text) {
   const std::vector<Token> tokens = tokens_of(text);
   const auto tells = [&](std::string_view list) {
-    return std::any_of(tokens.begin(), tokens.end(), [&](const Token& t) { return is_among(list, t.text); });
+    return std::any_of(tokens.begin(), tokens.end(), [&](const Token& t) { return is_listed(list, t.text); });
   };
   int count = counted_by(tokens);
-  if (count == 0 && !tokens.empty() && is_among(kPairWords, tokens.back().text)) count = 2;
+  if (count == 0 && !tokens.empty() && is_listed(kPairWords, tokens.back().text)) count = 2;
   if (count == 0) return std::nullopt;
   return DxfQuantity{count, 0, tells(kFoldWords)};
 }
@@ -124,7 +116,7 @@ bool tells_only_quantity(std::string_view text) {
   return std::all_of(tokens.begin(), tokens.end(), [](const Token& t) {
     if (t.is_figure() || tells_cutting(t.text) || is_quantity(t.text)) return true;
     for (const std::string_view list : {kCountWords, kPairWords, kManyPairWords, kFoldWords, kBesideWords})
-      if (is_among(list, t.text)) return true;
+      if (is_listed(list, t.text)) return true;
     return false;
   });
 }
@@ -143,11 +135,11 @@ bool begins_with_count(std::string_view text) {
   const bool more_figures = third == "x" || (tokens.size() > 2 && tokens[2].figure >= 0);
   if (first.text == "x") return second.is_figure() && !more_figures;
   if (!first.is_figure()) return false;
-  if (second.text == "x") return !third.empty() && !more_figures && !is_among(kSizeWords, third);
-  return is_among(kCountWords, second.text) && !is_among(kSingularWords, second.text);
+  if (second.text == "x") return !third.empty() && !more_figures && !is_listed(kSizeWords, third);
+  return is_listed(kCountWords, second.text) && !is_listed(kSingularWords, second.text);
 }
 
-bool is_fold_word(std::string_view word) { return is_among(kFoldWords, word); }
-bool is_beside_word(std::string_view word) { return is_among(kBesideWords, word); }
+bool is_fold_word(std::string_view word) { return is_listed(kFoldWords, word); }
+bool is_beside_word(std::string_view word) { return is_listed(kBesideWords, word); }
 
 }  // namespace toile::dxf

@@ -90,6 +90,10 @@ std::string plain_text(std::string_view s) {
   return out;
 }
 
+bool is_listed(std::string_view list, std::string_view word) {
+  return !word.empty() && list.find(";" + std::string(word) + ";") != std::string_view::npos;
+}
+
 bool is_lost(std::string_view text) {
   return text.find('?') != std::string_view::npos && text.find_first_not_of("? _-") == std::string_view::npos;
 }

@@ -16,6 +16,9 @@ std::string clean_text(std::string_view text, DxfEncoding encoding = {});
 /// The words of an MTEXT without its formatting codes.
 std::string plain_text(std::string_view mtext);
 
+/// Whether the word is one of a list with a semicolon before and behind each.
+bool is_listed(std::string_view list, std::string_view word);
+
 /// Nothing but question marks and blanks: what a program leaves of letters that it cannot write.
 bool is_lost(std::string_view text);
 

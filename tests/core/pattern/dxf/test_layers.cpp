@@ -114,6 +114,13 @@ TEST(DxfLayers, ALongLineOnALayerOfMarksIsNoNotch) {
   ASSERT_EQ(d.pieces.size(), 1u);
   EXPECT_TRUE(d.pieces[0].notches.empty());
   EXPECT_EQ(d.pieces[0].internals.size(), 1u) << "where a pocket lies";
+  const dxf::DxfDrawing corner =
+      read_trial(entities(rectangle({0, 0}, 300, 400, "KONTUR") + line({50, 300}, {80, 300}, "REPERES") +
+                          line({80, 300}, {80, 270}, "REPERES")),
+                 in_mm());
+  ASSERT_EQ(corner.pieces.size(), 1u);
+  EXPECT_TRUE(corner.pieces[0].notches.empty()) << "two short lines that go on as each other are a long one";
+  EXPECT_EQ(corner.pieces[0].internals.size(), 1u);
 }
 
 TEST(DxfLayers, WhatTellsNothingNewChangesNothing) {

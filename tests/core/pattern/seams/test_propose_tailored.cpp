@@ -22,11 +22,11 @@ namespace {
 using seams::SeamProposal;
 
 /// Half a front, its middle at the left, rounded into the hem. Edges: hem, side, armhole, shoulder, gorge,
-/// top of the lapel, front.
-pattern::Panel front() {
+/// top of the lapel, front. `further`: mm that its side lies further out.
+pattern::Panel front(double further = 0) {
   return garments::piece("front", {{200, 0},
-                                   {230, 0},
-                                   {262, 430, Vec2{222, 450}},
+                                   {230 + further, 0},
+                                   {262 + further, 430, Vec2{222, 450}},
                                    {243, 690},
                                    {100, 726},
                                    {92, 668},
@@ -273,14 +273,7 @@ TEST(Tailored, WhereOnTheSheetTheUndersleeveIsDrawnSaysNothingOfTheHighestPoint)
 
 /// The jacket's body without its side panels, its back of one piece.
 pattern::Pattern with_whole_back() {
-  const pattern::Panel wide_front = garments::piece("front", {{200, 0},
-                                                              {262, 0},
-                                                              {290, 430, Vec2{222, 450}},
-                                                              {243, 690},
-                                                              {100, 726},
-                                                              {92, 668},
-                                                              {4, 670, Vec2{0, 330}, Vec2{0, 0}}});
-  pattern::Pattern pattern = with_mirror_images({wide_front, top_sleeve(), under_sleeve()});
+  pattern::Pattern pattern = with_mirror_images({front(30), top_sleeve(), under_sleeve()});
   pattern.panels.push_back(garments::piece("back", {{-262, 0},
                                                     {262, 0},
                                                     {290, 430, Vec2{240, 460}},
